@@ -1,0 +1,37 @@
+//! A figure: skeleton, named articulators, handshapes and skin, as one value.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use crate::{Angles, Bone, Limb, Mesh, Skeleton};
+
+/// A point that can reach: fixed in the joint frame of a bone.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Articulator {
+    /// The bone: the limb's lower segment, its end, or one of its fingers or toes.
+    pub bone: Bone,
+    /// Metres in that bone's joint frame.
+    pub at: DVec3,
+}
+
+/// A handshape: finger angles of the left hand in degrees, by bone. The right hand takes the twins.
+pub type Handshape = BTreeMap<Bone, Angles>;
+
+/// Everything that a figure is, apart from how it is posed.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Figure {
+    /// The name that pose files carry.
+    pub name: String,
+    /// Joints, axes, ranges, masses.
+    pub skeleton: Skeleton,
+    /// Named articulators of each limb, in [`Limb::ALL`] order.
+    pub articulators: [BTreeMap<String, Articulator>; Limb::ALL.len()],
+    /// Handshapes by name.
+    pub handshapes: BTreeMap<String, Handshape>,
+    /// Unit direction in figure axes, along which each limb's elevation has no singularity at rest;
+    /// in [`Limb::ALL`] order. The carrier's singular direction is its opposite.
+    pub swing_bases: [DVec3; Limb::ALL.len()],
+    /// The skin, if the figure has one.
+    pub skin: Option<Mesh>,
+}
