@@ -4,7 +4,11 @@
 //! `docs/conventions.md` and `docs/sources.md`.
 
 mod ball;
+mod fk;
+mod frame;
 mod range;
 
 pub use ball::{Ball, swing_twist};
+pub use fk::{FkError, Link, fk};
+pub use frame::Frame;
 pub use range::{Cone, Interval};
