@@ -1,0 +1,3 @@
+//! Placeholder.
+/// Sculpt.
+pub fn run(_args: &[String]) -> anyhow::Result<()> { Ok(()) }
