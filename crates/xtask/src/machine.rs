@@ -21,7 +21,8 @@ pub fn prepare(packages: &[&str]) {
     if missing.is_empty() {
         return;
     }
-    let by_hand = format!("sudo apt-get install --no-install-recommends {}", missing.join(" "));
+    let by_hand =
+        format!("sudo apt-get update && sudo apt-get install --no-install-recommends {}", missing.join(" "));
     let Some(prefix) = privilege() else {
         eprintln!("Some system packages are missing. Please type:\n    {by_hand}");
         return;

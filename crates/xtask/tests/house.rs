@@ -190,6 +190,23 @@ fn links_in_the_documents_lead_somewhere() {
     assert_none(&faults, "links to nothing");
 }
 
+#[test]
+fn sources_that_comments_name_are_listed() {
+    let list = read("docs/sources.md");
+    let keys: BTreeSet<_> =
+        list.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next()).collect();
+    let mut named = BTreeSet::new();
+    for (path, text) in rust_files("crates") {
+        let after = text.split("Source: `").skip(1).filter_map(|rest| rest.split('`').next());
+        named.extend(after.map(|key| (key.to_owned(), path.clone())));
+    }
+    named.retain(|(_, path)| !path.ends_with("house.rs"));
+    assert!(!named.is_empty(), "no comment names its source");
+    let unknown = named.into_iter().filter(|(key, _)| !keys.contains(key.as_str()));
+    let faults: Vec<_> = unknown.map(|(key, path)| format!("{path}: {key}")).collect();
+    assert_none(&faults, "sources that docs/sources.md does not list");
+}
+
 /// The targets of `[text](target)` in Markdown.
 fn links(text: &str) -> impl Iterator<Item = &str> {
     text.split("](").skip(1).filter_map(|rest| rest.split([')', ' ', '\n']).next())
