@@ -43,11 +43,7 @@ pub enum FkError {
 /// # Errors
 /// A carrier that does not come before its link, or an output slice that is too short; the frames
 /// before the fault are written.
-pub fn fk(
-    root: Frame,
-    links: impl IntoIterator<Item = Link>,
-    out: &mut [Frame],
-) -> Result<usize, FkError> {
+pub fn fk(root: Frame, links: impl IntoIterator<Item = Link>, out: &mut [Frame]) -> Result<usize, FkError> {
     let mut count = 0;
     for link in links {
         let (done, rest) = out.split_at_mut(count);

@@ -1,0 +1,307 @@
+//! One limb, arm or leg: a root ball joint, a hinge, and an end that carries the articulator.
+//!
+//! Solve and recover in closed form. Source: `hybrid`, extended by the branch, the swing carrier and
+//! offset hinges.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DQuat, DVec3};
+
+use crate::Carrier;
+use crate::carrier::arc;
+
+/// The fixed geometry of a limb, in its limb frame: origin at the root joint, any rest direction.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Limb {
+    hinge_at_rest: DVec3,
+    axis: DVec3,
+    carrier: Carrier,
+    /// `R_D`: takes the rest limb to upper segment along +y and hinge axis +x.
+    rest: DQuat,
+    /// The hinge's shift along its own axis, metres.
+    side: f64,
+    /// Length of the upper segment across the hinge axis, metres.
+    upper: f64,
+}
+
+/// The joints of a limb.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LimbState {
+    /// Root rotation, from rest, in limb axes.
+    pub root: DQuat,
+    /// Hinge angle, radians.
+    pub hinge: f64,
+}
+
+/// Which of the two hinge angles that put the articulator at a given distance.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Branch {
+    /// sin(g + psi) >= 0: the usual one.
+    #[default]
+    Plus,
+    /// sin(g + psi) < 0.
+    Minus,
+}
+
+impl Branch {
+    /// +1 or -1.
+    pub const fn sign(self) -> f64 {
+        match self {
+            Branch::Plus => 1.0,
+            Branch::Minus => -1.0,
+        }
+    }
+
+    /// The other one.
+    pub const fn flipped(self) -> Branch {
+        match self {
+            Branch::Plus => Branch::Minus,
+            Branch::Minus => Branch::Plus,
+        }
+    }
+}
+
+/// The inverse parameters of a limb: what an inverse gesture changes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LimbGoal {
+    /// Where the articulator goes, metres, limb frame.
+    pub target: DVec3,
+    /// Turn about the line from root to articulator, radians.
+    pub elevation: f64,
+    /// Which solution of the hinge.
+    pub branch: Branch,
+}
+
+/// How a target lies to what the hinge can span.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Span {
+    /// Within reach.
+    Reached,
+    /// Beyond full stretch: the limb is stretched toward the target.
+    TooFar,
+    /// Inside the fully folded limb: it is folded toward the target.
+    TooNear,
+}
+
+/// Input for which the closed form has no answer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum Degenerate {
+    /// Some number is NaN, infinite or beyond 1e100.
+    #[error("a number is not finite")]
+    NotFinite,
+    /// The upper segment has no length across the hinge axis.
+    #[error("the upper segment has no length across the hinge axis")]
+    NoUpper,
+    /// The hinge axis has no length.
+    #[error("the hinge axis has no length")]
+    NoAxis,
+    /// The articulator lies on the hinge axis: bending moves it nowhere.
+    #[error("the articulator lies on the hinge axis")]
+    ArticulatorOnHinge,
+    /// The target is at the root joint: no direction to point in.
+    #[error("the target is at the root joint")]
+    TargetAtRoot,
+    /// The articulator is at the root joint: no line to elevate about.
+    #[error("the articulator is at the root joint")]
+    ArticulatorAtRoot,
+}
+
+/// A hinge angle for a distance.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HingeSolution {
+    /// Radians.
+    pub angle: f64,
+    /// Whether the distance can be had.
+    pub span: Span,
+}
+
+/// A solved limb.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LimbSolution {
+    /// The joints.
+    pub state: LimbState,
+    /// Whether the target can be reached.
+    pub span: Span,
+    /// Distance from articulator to target, metres.
+    pub residual: f64,
+}
+
+impl Limb {
+    /// A limb from its rest pose: where the hinge is and which way it turns, in the limb frame.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, an axis without length, a hinge on the line of its own axis through the root.
+    pub fn new(hinge_at_rest: DVec3, axis: DVec3, carrier: Carrier) -> Result<Limb, Degenerate> {
+        let carrier_is_finite = match carrier {
+            Carrier::Swing { base } => base.is_finite() && base.is_normalized(),
+            Carrier::Spherical => true,
+        };
+        if !usable(hinge_at_rest) || !usable(axis) || !carrier_is_finite {
+            return Err(Degenerate::NotFinite);
+        }
+        let axis = axis.try_normalize().ok_or(Degenerate::NoAxis)?;
+        let side = hinge_at_rest.dot(axis);
+        let across = hinge_at_rest - axis * side;
+        let upper = across.length();
+        let up = across.try_normalize().filter(|_| upper > 1e-12).ok_or(Degenerate::NoUpper)?;
+        let to_y = arc(up, DVec3::Y);
+        let swung = to_y * axis;
+        let about_y = DQuat::from_rotation_y(swung.z.atan2(swung.x));
+        Ok(Limb { hinge_at_rest, axis, carrier, rest: (about_y * to_y).normalize(), side, upper })
+    }
+
+    /// The textbook limb: upper segment along +y, hinge axis +x.
+    ///
+    /// # Errors
+    /// As [`Limb::new`].
+    pub fn straight(upper: f64, carrier: Carrier) -> Result<Limb, Degenerate> {
+        Limb::new(DVec3::Y * upper, DVec3::X, carrier)
+    }
+
+    /// The articulator in the limb frame, given where it is in the hinge's frame (limb axes at rest).
+    pub fn articulator(&self, state: &LimbState, in_hinge: DVec3) -> DVec3 {
+        state.root * (self.hinge_at_rest + DQuat::from_axis_angle(self.axis, state.hinge) * in_hinge)
+    }
+
+    /// Where the hinge is in the limb frame.
+    pub fn hinge(&self, state: &LimbState) -> DVec3 {
+        state.root * self.hinge_at_rest
+    }
+
+    /// The nearest and the farthest distance from the root at which the hinge can hold that articulator.
+    pub fn reach(&self, in_hinge: DVec3) -> (f64, f64) {
+        let local = self.local(in_hinge);
+        let (rho, across) = (local.y.hypot(local.z), self.side + local.x);
+        ((self.upper - rho).hypot(across), (self.upper + rho).hypot(across))
+    }
+
+    /// The hinge angle in (-pi, pi] that puts the articulator at a distance from the root.
+    ///
+    /// Half-angle form, accurate to the square root of the rounding at full stretch and full fold.
+    ///
+    /// # Errors
+    /// An articulator on the hinge axis; numbers that are not finite.
+    pub fn hinge_for(
+        &self,
+        in_hinge: DVec3,
+        distance: f64,
+        branch: Branch,
+    ) -> Result<HingeSolution, Degenerate> {
+        if !usable(in_hinge) || !distance.is_finite() {
+            return Err(Degenerate::NotFinite);
+        }
+        let local = self.local(in_hinge);
+        let rho = local.y.hypot(local.z);
+        if rho <= 1e-12 {
+            return Err(Degenerate::ArticulatorOnHinge);
+        }
+        // Distance across the hinge axis, squared; negative when the target is nearer than the shift along it.
+        let across = self.side + local.x;
+        let planar = ((distance - across) * (distance + across)).max(0.0).sqrt();
+        let to_far = (self.upper + rho - planar) * (self.upper + rho + planar);
+        let to_near = (planar - (self.upper - rho)) * (planar + (self.upper - rho));
+        let span = if to_far < 0.0 {
+            Span::TooFar
+        } else if to_near < 0.0 || distance < across.abs() {
+            Span::TooNear
+        } else {
+            Span::Reached
+        };
+        let bend = 2.0 * to_far.max(0.0).sqrt().atan2(to_near.max(0.0).sqrt());
+        let psi = local.z.atan2(local.y);
+        Ok(HingeSolution { angle: wrapped(branch.sign() * bend - psi), span })
+    }
+
+    /// The root rotation that points the articulator along a unit direction with the hinge at an angle.
+    pub fn root_for(&self, in_hinge: DVec3, hinge: f64, direction: DVec3, elevation: f64) -> DQuat {
+        let [carrier, inner] = self.frame_of(in_hinge, hinge, direction);
+        (carrier * DQuat::from_rotation_y(elevation) * inner).normalize()
+    }
+
+    /// Root rotation = first * turn about y by the elevation * second.
+    pub(crate) fn frame_of(&self, in_hinge: DVec3, hinge: f64, direction: DVec3) -> [DQuat; 2] {
+        let a = self.bent(in_hinge, hinge);
+        let phi = DQuat::from_rotation_x(-a.z.atan2(a.y));
+        let theta = DQuat::from_rotation_z(a.x.atan2(a.y.hypot(a.z)));
+        [self.carrier.rotation(direction), theta * phi * self.rest]
+    }
+
+    /// Brings the articulator to the target; joint ranges are not looked at.
+    ///
+    /// Out of reach the limb points at the target, stretched or folded.
+    ///
+    /// # Errors
+    /// Every case that has no answer, by name.
+    pub fn solve(&self, in_hinge: DVec3, goal: &LimbGoal) -> Result<LimbSolution, Degenerate> {
+        let (direction, distance) = direction(goal)?;
+        let hinge = self.hinge_for(in_hinge, distance, goal.branch)?;
+        let root = self.root_for(in_hinge, hinge.angle, direction, goal.elevation);
+        let state = LimbState { root, hinge: hinge.angle };
+        let residual = self.articulator(&state, in_hinge).distance(goal.target);
+        Ok(LimbSolution { state, span: hinge.span, residual })
+    }
+
+    /// Reads the inverse parameters off the joints: `solve(recover(state))` is the same state.
+    ///
+    /// # Errors
+    /// An articulator at the root joint; numbers that are not finite.
+    pub fn recover(&self, in_hinge: DVec3, state: &LimbState) -> Result<LimbGoal, Degenerate> {
+        if !usable(in_hinge) || !state.hinge.is_finite() || !state.root.is_finite() {
+            return Err(Degenerate::NotFinite);
+        }
+        let target = self.articulator(state, in_hinge);
+        let toward = target.try_normalize().filter(|_| target.length() > 1e-12);
+        let toward = toward.ok_or(Degenerate::ArticulatorAtRoot)?;
+        let [carrier, inner] = self.frame_of(in_hinge, state.hinge, toward);
+        let about_y = carrier.conjugate() * state.root * inner.conjugate();
+        let elevation = wrapped(2.0 * about_y.y.atan2(about_y.w));
+        Ok(LimbGoal { target, elevation, branch: self.branch(in_hinge, state.hinge) })
+    }
+
+    /// The branch on which a hinge angle lies; a limb that is straight to its articulator, give or take
+    /// the rounding, is on the usual one.
+    pub fn branch(&self, in_hinge: DVec3, hinge: f64) -> Branch {
+        if self.bend_sine(in_hinge, hinge) < -1e-8 { Branch::Minus } else { Branch::Plus }
+    }
+
+    /// sin(g + psi): 0 where the limb is straight or folded to its articulator and angles are loose.
+    pub fn bend_sine(&self, in_hinge: DVec3, hinge: f64) -> f64 {
+        let local = self.local(in_hinge);
+        (hinge.sin() * local.y + hinge.cos() * local.z) / local.y.hypot(local.z)
+    }
+
+    /// The articulator in the upper segment's frame with the hinge at an angle, upper along +y.
+    fn bent(&self, in_hinge: DVec3, hinge: f64) -> DVec3 {
+        DVec3::new(self.side, self.upper, 0.0) + DQuat::from_rotation_x(hinge) * self.local(in_hinge)
+    }
+
+    fn local(&self, in_hinge: DVec3) -> DVec3 {
+        self.rest * in_hinge
+    }
+}
+
+/// Direction and distance of a goal's target.
+pub(crate) fn direction(goal: &LimbGoal) -> Result<(DVec3, f64), Degenerate> {
+    if !usable(goal.target) || !goal.elevation.is_finite() {
+        return Err(Degenerate::NotFinite);
+    }
+    let distance = goal.target.length();
+    if distance <= 1e-12 {
+        return Err(Degenerate::TargetAtRoot);
+    }
+    Ok((goal.target / distance, distance))
+}
+
+/// Whether squares of the numbers stay finite; no length of a body comes near the bound.
+fn usable(v: DVec3) -> bool {
+    v.is_finite() && v.abs().max_element() < 1e100
+}
+
+/// The same angle in (-pi, pi].
+pub fn wrapped(angle: f64) -> f64 {
+    if -PI < angle && angle <= PI {
+        return angle;
+    }
+    let turned = angle - TAU * (angle / TAU).round();
+    if turned <= -PI { turned + TAU } else { turned }
+}
