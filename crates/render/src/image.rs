@@ -1,0 +1,102 @@
+//! Pictures read back from the device.
+
+use crate::renderer::Renderer;
+use crate::scene::{Look, Scene};
+use crate::uniforms::{linear_from_srgb, srgb_from_linear};
+use crate::{DrawError, Gpu};
+
+/// A picture in memory.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Image {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Four bytes a pixel, rows from the top, straight alpha; sRGB, or plain numbers for data passes.
+    pub rgba: Vec<u8>,
+}
+
+impl Image {
+    /// A pixel; `None` outside.
+    pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 4]> {
+        if x >= self.width || y >= self.height {
+            return None;
+        }
+        let at = 4 * (y as usize * self.width as usize + x as usize);
+        self.rgba.get(at..at + 4).and_then(|p| p.try_into().ok())
+    }
+}
+
+impl Renderer {
+    /// Draws a scene at full resolution and reads the picture back.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`], and [`DrawError::Driver`] if the driver complains or the device is lost.
+    pub fn image(&mut self, scene: &Scene<'_>) -> Result<Image, DrawError> {
+        let full = Scene { look: Look { scale: 1.0, ..scene.look }, ..scene.clone() };
+        let gpu = self.gpu().clone();
+        let descriptor = wgpu::CommandEncoderDescriptor { label: Some("image") };
+        let mut encoder = gpu.device.create_command_encoder(&descriptor);
+        self.draw(&mut encoder, &full)?;
+        let picture = self.picture().ok_or_else(|| DrawError::Driver("no picture".to_owned()))?;
+        let mut image = read(&gpu, encoder, picture)?;
+        if scene.look.transparent {
+            image.rgba.chunks_exact_mut(4).for_each(straighten);
+        }
+        Ok(image)
+    }
+}
+
+/// Copies a texture of four-byte texels into memory, after the encoder's commands.
+pub(crate) fn read(
+    gpu: &Gpu,
+    mut encoder: wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+) -> Result<Image, DrawError> {
+    let (width, height) = (texture.width(), texture.height());
+    let texel = texture.format().block_copy_size(None).unwrap_or(4);
+    let row = width * texel;
+    let stride = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read back"),
+        size: u64::from(stride) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(stride),
+                rows_per_image: Some(height),
+            },
+        },
+        texture.size(),
+    );
+    gpu.queue.submit([encoder.finish()]);
+    let driver = |e: &dyn std::fmt::Display| DrawError::Driver(e.to_string());
+    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| driver(&e))?;
+    if let Some(fault) = gpu.take_fault() {
+        return Err(DrawError::Driver(fault));
+    }
+    let bytes = buffer.get_mapped_range(..).map_err(|e| driver(&e))?;
+    let rows = bytes.chunks_exact(stride as usize);
+    let rgba = rows.flat_map(|r| r.iter().take(row as usize).copied()).collect();
+    Ok(Image { width, height, rgba })
+}
+
+/// From light times alpha to the colour itself.
+fn straighten(pixel: &mut [u8]) {
+    let [r, g, b, a] = pixel else { return };
+    if *a == 0 || *a == 255 {
+        return;
+    }
+    let alpha = f32::from(*a) / 255.0;
+    for c in [r, g, b] {
+        let straight = (linear_from_srgb(f32::from(*c) / 255.0) / alpha).min(1.0);
+        *c = (srgb_from_linear(straight) * 255.0).round() as u8;
+    }
+}

@@ -1,0 +1,403 @@
+//! The renderer: keeps what lives on the device and records one picture after another.
+
+use std::collections::HashMap;
+
+use glam::Vec3;
+use rig::{Bounds, Mesh};
+
+use crate::figures::Figures;
+use crate::light::{Light, SHADOW_SIZE};
+use crate::overlay::{Stroke, Strokes};
+use crate::pipelines::{Draw, Pipelines, Seen};
+use crate::scene::{FigureView, Pass, Scene};
+use crate::skins::Skin;
+use crate::target::{DEPTH_FORMAT, Target, TargetKey};
+use crate::uniforms::SceneUniform;
+use crate::{DrawError, Gpu, openpose};
+
+/// Draws scenes into its own texture.
+///
+/// Meshes are uploaded once by [`Renderer::set_mesh`]; a picture then uploads only palettes, camera and marks.
+#[derive(Debug)]
+pub struct Renderer {
+    gpu: Gpu,
+    pipelines: Pipelines,
+    skins: HashMap<usize, Skin>,
+    scene_buffer: wgpu::Buffer,
+    scene_group: wgpu::BindGroup,
+    figures: Figures,
+    shadow_map: wgpu::TextureView,
+    shadow_group: wgpu::BindGroup,
+    strokes: wgpu::Buffer,
+    target: Option<Target>,
+}
+
+/// Instance ranges of the strokes: tested, ghosted, on top.
+#[derive(Clone, Copy, Debug)]
+struct StrokeRanges([u32; 4]);
+
+impl Renderer {
+    /// A renderer without meshes.
+    pub fn new(gpu: &Gpu) -> Renderer {
+        let device = &gpu.device;
+        let pipelines = Pipelines::new(device);
+        let scene_buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("scene"),
+            size: size_of::<SceneUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let scene_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene"),
+            layout: &pipelines.layouts.scene,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: scene_buffer.as_entire_binding() }],
+        });
+        let (shadow_map, shadow_group) = shadow_map(device, &pipelines.layouts.shadow);
+        Renderer {
+            figures: Figures::new(device, &pipelines.layouts.figure, 1),
+            strokes: stroke_buffer(device, 256),
+            gpu: gpu.clone(),
+            pipelines,
+            skins: HashMap::new(),
+            scene_buffer,
+            scene_group,
+            shadow_map,
+            shadow_group,
+            target: None,
+        }
+    }
+
+    /// The device that it draws on.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Uploads a skin into a slot, in place of what was there.
+    ///
+    /// # Errors
+    /// The mesh has a [`Mesh::fault`]; the slot keeps what it had.
+    pub fn set_mesh(&mut self, slot: usize, mesh: &Mesh) -> Result<(), DrawError> {
+        if let Some(fault) = mesh.fault() {
+            return Err(DrawError::Mesh(fault));
+        }
+        self.skins.insert(slot, Skin::upload(&self.gpu.device, mesh));
+        Ok(())
+    }
+
+    /// A box around posed figures, world space, metres; somewhat larger than the tightest one.
+    ///
+    /// Figures whose slot is empty count for nothing.
+    pub fn bounds(&self, figures: &[FigureView<'_>]) -> Bounds {
+        Bounds::of(self.corners(figures))
+    }
+
+    /// Records the picture; it stands in [`Renderer::picture`] once the encoder's commands are submitted.
+    ///
+    /// One call a submission: palettes and camera are written through the queue.
+    ///
+    /// # Errors
+    /// A size that the device cannot hold, a figure whose slot is empty. Nothing is recorded then.
+    pub fn draw(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene<'_>,
+    ) -> Result<&wgpu::TextureView, DrawError> {
+        let size = self.checked_size(scene)?;
+        self.prepare_target(TargetKey::of(scene.pass, size, scene.look.msaa));
+        let strokes = self.upload(scene, size);
+        self.prepare_pipelines(scene);
+        if self.casts_shadow(scene) {
+            self.record_shadow(encoder, scene);
+        }
+        self.record_picture(encoder, scene, strokes);
+        self.picture_view().ok_or_else(|| DrawError::Driver("the picture's texture is gone".to_owned()))
+    }
+
+    /// The last picture, sRGB or, for data passes, plain numbers; `None` before the first.
+    pub fn picture(&self) -> Option<&wgpu::Texture> {
+        self.target.as_ref().map(|t| &t.picture)
+    }
+
+    /// The whole of [`Renderer::picture`].
+    pub fn picture_view(&self) -> Option<&wgpu::TextureView> {
+        self.target.as_ref().map(|t| &t.view)
+    }
+
+    fn checked_size(&self, scene: &Scene<'_>) -> Result<[u32; 2], DrawError> {
+        let limit = self.gpu.max_edge();
+        let [width, height] = scene.size;
+        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
+            return Err(DrawError::Size { width, height, limit });
+        }
+        for (figure, view) in scene.figures.iter().enumerate() {
+            if !self.skins.contains_key(&view.skin) {
+                return Err(DrawError::NoSkin { figure, skin: view.skin });
+            }
+        }
+        let scale = if scene.look.scale.is_finite() { scene.look.scale.clamp(0.1, 1.0) } else { 1.0 };
+        Ok([width, height].map(|s| ((s as f32 * scale).round() as u32).max(1)))
+    }
+
+    fn prepare_target(&mut self, key: TargetKey) {
+        if self.target.as_ref().is_none_or(|t| t.key != key) {
+            // The former textures go first: both together may not fit.
+            self.target = None;
+            self.target = Some(Target::new(&self.gpu.device, key));
+        }
+    }
+
+    fn corners<'a>(&'a self, figures: &'a [FigureView<'_>]) -> impl Iterator<Item = Vec3> + 'a {
+        figures.iter().filter_map(|view| self.skins.get(&view.skin).map(|skin| (view, skin))).flat_map(
+            |(view, skin)| {
+                skin.bounds.corners(view.palette).map(|c| view.world_from_figure.transform_point3(c))
+            },
+        )
+    }
+
+    fn casts_shadow(&self, scene: &Scene<'_>) -> bool {
+        scene.pass == Pass::Color && scene.look.shadow && scene.figures.iter().any(is_solid)
+    }
+
+    /// Writes all that changes from picture to picture.
+    fn upload(&mut self, scene: &Scene<'_>, size: [u32; 2]) -> StrokeRanges {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
+        let casters: Vec<Vec3> = self.corners(&solid).collect();
+        let light = Light::fit(scene.look.key_light, &casters, self.casts_shadow(scene));
+        let view = scene.camera.view_from_world();
+        let depths = self.corners(scene.figures).map(|c| -view.transform_point3(c).z);
+        let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
+        let uniform = SceneUniform::of(scene, size, &light, range);
+        let (uniform, strokes) = match scene.pass {
+            Pass::OpenPose => {
+                let on_top = openpose::strokes(scene, size);
+                (uniform.flat(), Strokes { on_top, ..Strokes::default() })
+            }
+            Pass::Color => {
+                let scale = size[0] as f32 / scene.size[0] as f32;
+                (uniform, Strokes::of(scene.overlay, scale))
+            }
+            _ => (uniform, Strokes::default()),
+        };
+        queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&uniform));
+        self.figures.write(device, queue, &self.pipelines.layouts.figure, scene.figures);
+        self.upload_strokes(&strokes)
+    }
+
+    fn upload_strokes(&mut self, strokes: &Strokes) -> StrokeRanges {
+        let parts = [&strokes.tested, &strokes.ghosted, &strokes.on_top];
+        let all: Vec<Stroke> = parts.into_iter().flatten().copied().collect();
+        let bytes: &[u8] = bytemuck::cast_slice(&all);
+        if self.strokes.size() < bytes.len() as u64 {
+            self.strokes = stroke_buffer(&self.gpu.device, all.len().next_power_of_two());
+        }
+        if !bytes.is_empty() {
+            self.gpu.queue.write_buffer(&self.strokes, 0, bytes);
+        }
+        let mut ends = [0; 4];
+        for (i, part) in parts.into_iter().enumerate() {
+            ends[i + 1] = ends[i] + u32::try_from(part.len()).unwrap_or(0);
+        }
+        StrokeRanges(ends)
+    }
+
+    fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
+        let Some(key) = self.target.as_ref().map(|t| t.key) else { return };
+        let mut draws = vec![
+            Draw::Shadow,
+            Draw::Backdrop,
+            Draw::Grid,
+            Draw::Shade,
+            Draw::Strokes(Seen::Before),
+            Draw::Strokes(Seen::Behind),
+            Draw::Strokes(Seen::Always),
+        ];
+        if scene.pass != Pass::Color {
+            draws = vec![Draw::Strokes(Seen::Always)];
+        }
+        if let Some(fragment) = fragment_of(scene.pass) {
+            for view in scene.figures {
+                draws.push(Draw::Figure { fragment, two_sided: view.two_sided });
+                if !is_solid(view) {
+                    draws.push(Draw::Ghost { two_sided: view.two_sided });
+                }
+            }
+        }
+        for draw in draws {
+            self.pipelines.prepare(&self.gpu.device, draw, key);
+        }
+    }
+
+    fn record_shadow(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("shadow"),
+            depth_stencil_attachment: Some(depth_attachment(&self.shadow_map, wgpu::StoreOp::Store)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, &self.scene_group, &[]);
+        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| is_solid(v)) {
+            self.draw_skin(&mut pass, Draw::Shadow, i, view);
+        }
+    }
+
+    fn record_picture(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>, strokes: StrokeRanges) {
+        let Some(target) = &self.target else { return };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(target.color(clear_of(scene)))],
+            depth_stencil_attachment: Some(depth_attachment(&target.depth, wgpu::StoreOp::Discard)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, &self.scene_group, &[]);
+        pass.set_bind_group(1, &self.figures.group, &[0]);
+        pass.set_bind_group(2, &self.shadow_group, &[]);
+        self.draw_figures(&mut pass, scene, is_solid);
+        if scene.pass == Pass::Color {
+            // Behind the figures in depth and after them in time: what they cover is not shaded twice.
+            self.draw_surroundings(&mut pass, scene);
+        }
+        self.draw_figures(&mut pass, scene, |view| !is_solid(view));
+        self.draw_strokes(&mut pass, strokes);
+    }
+
+    fn draw_figures(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        scene: &Scene<'_>,
+        chosen: impl Fn(&FigureView<'_>) -> bool,
+    ) {
+        let Some(fragment) = fragment_of(scene.pass) else { return };
+        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| chosen(v)) {
+            let two_sided = view.two_sided;
+            if !is_solid(view) {
+                self.draw_skin(pass, Draw::Ghost { two_sided }, i, view);
+            }
+            self.draw_skin(pass, Draw::Figure { fragment, two_sided }, i, view);
+        }
+    }
+
+    fn draw_surroundings(&self, pass: &mut wgpu::RenderPass<'_>, scene: &Scene<'_>) {
+        let above = scene.camera.eye().y > 0.0;
+        let wanted = [
+            (Draw::Backdrop, !scene.look.transparent),
+            (Draw::Shade, above && self.casts_shadow(scene)),
+            (Draw::Grid, scene.look.grid && !scene.look.transparent),
+        ];
+        for (draw, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
+            if self.set_pipeline(pass, draw) {
+                pass.draw(0..4, 0..1);
+            }
+        }
+    }
+
+    fn draw_strokes(&self, pass: &mut wgpu::RenderPass<'_>, StrokeRanges(ends): StrokeRanges) {
+        let [start, tested, ghosted, on_top] = ends;
+        let draws = [
+            (Seen::Behind, tested..ghosted),
+            (Seen::Before, start..ghosted),
+            (Seen::Always, ghosted..on_top),
+        ];
+        pass.set_vertex_buffer(0, self.strokes.slice(..));
+        for (seen, instances) in draws.into_iter().filter(|(_, r)| !r.is_empty()) {
+            if self.set_pipeline(pass, Draw::Strokes(seen)) {
+                pass.draw(0..4, instances);
+            }
+        }
+    }
+
+    fn draw_skin(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw, figure: usize, view: &FigureView<'_>) {
+        let Some(skin) = self.skins.get(&view.skin) else { return };
+        if self.set_pipeline(pass, draw) {
+            pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
+            pass.set_vertex_buffer(0, skin.vertices.slice(..));
+            if draw != Draw::Shadow {
+                pass.set_vertex_buffer(1, skin.surface.slice(..));
+            }
+            pass.set_index_buffer(skin.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..skin.index_count, 0, 0..1);
+        }
+    }
+
+    fn set_pipeline(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw) -> bool {
+        let pipeline = self.target.as_ref().and_then(|t| self.pipelines.get(draw, t.key));
+        if let Some(pipeline) = pipeline {
+            pass.set_pipeline(pipeline);
+        }
+        pipeline.is_some()
+    }
+}
+
+fn is_solid(view: &FigureView<'_>) -> bool {
+    view.opacity >= 1.0
+}
+
+fn fragment_of(pass: Pass) -> Option<&'static str> {
+    match pass {
+        Pass::Color => Some("fs_color"),
+        Pass::Depth => Some("fs_depth"),
+        Pass::Normal => Some("fs_normal"),
+        Pass::Silhouette => Some("fs_silhouette"),
+        Pass::OpenPose => None,
+    }
+}
+
+fn clear_of(scene: &Scene<'_>) -> wgpu::Color {
+    match scene.pass {
+        Pass::Color => wgpu::Color::TRANSPARENT,
+        Pass::Normal => wgpu::Color { r: 128.0 / 255.0, g: 128.0 / 255.0, b: 1.0, a: 1.0 },
+        Pass::Depth | Pass::Silhouette | Pass::OpenPose => wgpu::Color::BLACK,
+    }
+}
+
+fn depth_attachment(
+    view: &wgpu::TextureView,
+    store: wgpu::StoreOp,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store }),
+        stencil_ops: None,
+    }
+}
+
+fn stroke_buffer(device: &wgpu::Device, count: usize) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("strokes"),
+        size: (count * size_of::<Stroke>()) as u64,
+        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+fn shadow_map(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+) -> (wgpu::TextureView, wgpu::BindGroup) {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("shadow map"),
+        size: wgpu::Extent3d { width: SHADOW_SIZE, height: SHADOW_SIZE, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: DEPTH_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("shadow"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare: Some(wgpu::CompareFunction::LessEqual),
+        ..wgpu::SamplerDescriptor::default()
+    });
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("shadow"),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+        ],
+    });
+    (view, group)
+}

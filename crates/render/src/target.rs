@@ -1,0 +1,76 @@
+//! The picture's textures.
+
+use crate::scene::{Msaa, Pass};
+
+/// Format of depth buffers and of the shadow map.
+pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// What a picture's textures depend on.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(crate) struct TargetKey {
+    pub size: [u32; 2],
+    pub msaa: Msaa,
+    pub format: wgpu::TextureFormat,
+}
+
+impl TargetKey {
+    /// The textures of a pass. Data passes hold numbers, not light, and depth and normals must not mix at edges.
+    pub fn of(pass: Pass, size: [u32; 2], msaa: Msaa) -> TargetKey {
+        let format = match pass {
+            Pass::Color | Pass::OpenPose => wgpu::TextureFormat::Rgba8UnormSrgb,
+            Pass::Depth | Pass::Normal | Pass::Silhouette => wgpu::TextureFormat::Rgba8Unorm,
+        };
+        let msaa = if matches!(pass, Pass::Depth | Pass::Normal) { Msaa::One } else { msaa };
+        TargetKey { size, msaa, format }
+    }
+}
+
+/// The picture, its depth and its samples.
+#[derive(Debug)]
+pub(crate) struct Target {
+    pub key: TargetKey,
+    pub picture: wgpu::Texture,
+    pub view: wgpu::TextureView,
+    pub depth: wgpu::TextureView,
+    samples: Option<wgpu::TextureView>,
+}
+
+impl Target {
+    pub fn new(device: &wgpu::Device, key: TargetKey) -> Target {
+        let texture = |label, samples, format, usage| {
+            device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: key.size[0], height: key.size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: samples,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage,
+                view_formats: &[],
+            })
+        };
+        let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
+        let samples = key.msaa.samples();
+        let picture = texture("picture", 1, key.format, drawn | read);
+        let view_of = |t: &wgpu::Texture| t.create_view(&wgpu::TextureViewDescriptor::default());
+        Target {
+            view: view_of(&picture),
+            depth: view_of(&texture("picture depth", samples, DEPTH_FORMAT, drawn)),
+            samples: (samples > 1).then(|| view_of(&texture("picture samples", samples, key.format, drawn))),
+            picture,
+            key,
+        }
+    }
+
+    /// The attachment to draw into, resolved into the picture.
+    pub fn color(&self, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+        let store = if self.samples.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
+        wgpu::RenderPassColorAttachment {
+            view: self.samples.as_ref().unwrap_or(&self.view),
+            depth_slice: None,
+            resolve_target: self.samples.is_some().then_some(&self.view),
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
+        }
+    }
+}

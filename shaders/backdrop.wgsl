@@ -1,0 +1,22 @@
+// The studio behind everything: a soft gradient over the whole picture. Follows scene.wgsl.
+
+struct Backdrop {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) color: vec3<f32>,
+}
+
+@vertex
+fn vs_backdrop(@builtin(vertex_index) index: u32) -> Backdrop {
+    let at = vec2(f32(index & 1u) * 2.0 - 1.0, f32(index >> 1u) * 2.0 - 1.0);
+    var out: Backdrop;
+    out.clip = vec4(at, 1.0, 1.0);
+    out.color = select(scene.background_bottom.rgb, scene.background_top.rgb, at.y > 0.0);
+    return out;
+}
+
+@fragment
+fn fs_backdrop(in: Backdrop) -> @location(0) vec4<f32> {
+    // Mixed as stored, so that the steps are even, with less than one step of noise against bands.
+    let noise = fract(52.9829189 * fract(dot(in.clip.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+    return vec4(linear_from_srgb(in.color + noise * (0.9 / 255.0)), 1.0);
+}

@@ -1,0 +1,103 @@
+// Lines and points of a width in pixels, smooth at their edges: each a capsule between two world points.
+// A point is a line without length. Follows scene.wgsl.
+
+struct Stroke {
+    @location(0) from_world: vec3<f32>,
+    @location(1) to_world: vec3<f32>,
+    // sRGB, straight alpha.
+    @location(2) color: vec4<f32>,
+    @location(3) outline: vec4<f32>,
+    // x: radius, y: width of the outline outside it, z: period of the dashes or 0, all in pixels; w: 1 for an ellipse.
+    @location(4) shape: vec4<f32>,
+}
+
+struct Ink {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(flat) from_px: vec2<f32>,
+    @location(1) @interpolate(flat) to_px: vec2<f32>,
+    @location(2) @interpolate(flat) color: vec4<f32>,
+    @location(3) @interpolate(flat) outline: vec4<f32>,
+    @location(4) @interpolate(flat) shape: vec4<f32>,
+}
+
+fn pixel_of(clip: vec4<f32>) -> vec2<f32> {
+    return (clip.xy / clip.w * vec2(0.5, -0.5) + 0.5) * scene.viewport.xy;
+}
+
+// The part of a line that lies before the near plane is cut off.
+fn cut(inner: vec4<f32>, outer: vec4<f32>) -> vec4<f32> {
+    if outer.z >= 0.0 || inner.z <= 0.0 {
+        return outer;
+    }
+    return mix(outer, inner, -outer.z / (inner.z - outer.z));
+}
+
+@vertex
+fn vs_stroke(@builtin(vertex_index) index: u32, in: Stroke) -> Ink {
+    let a = scene.clip_from_world * vec4(in.from_world, 1.0);
+    let b = scene.clip_from_world * vec4(in.to_world, 1.0);
+    let from = cut(b, a);
+    let to = cut(a, b);
+    var out: Ink;
+    out.color = vec4(linear_from_srgb(in.color.rgb), in.color.a);
+    out.outline = vec4(linear_from_srgb(in.outline.rgb), in.outline.a);
+    out.shape = in.shape;
+    if from.z < 0.0 || to.z < 0.0 || from.w <= 0.0 || to.w <= 0.0 {
+        out.clip = vec4(0.0, 0.0, 2.0, 1.0);
+        return out;
+    }
+    out.from_px = pixel_of(from);
+    out.to_px = pixel_of(to);
+    let run = out.to_px - out.from_px;
+    let long = length(run);
+    let along = select(vec2(1.0, 0.0), run / max(long, 1e-6), long > 1e-3);
+    let across = vec2(-along.y, along.x);
+    let reach = in.shape.x + in.shape.y + 1.0;
+    let end = f32(index & 1u) * 2.0 - 1.0;
+    let side = f32(index >> 1u) * 2.0 - 1.0;
+    let at = select(out.from_px, out.to_px, end > 0.0) + (along * end + across * side) * reach;
+    let near = select(from, to, end > 0.0);
+    let ndc = (at * scene.viewport.zw - 0.5) * vec2(2.0, -2.0);
+    // A hair toward the viewer, so that marks on a surface are not swallowed by it.
+    out.clip = vec4(ndc * near.w, near.z * (1.0 - 2e-5), near.w);
+    return out;
+}
+
+fn ink(in: Ink) -> vec4<f32> {
+    let run = in.to_px - in.from_px;
+    let off = in.clip.xy - in.from_px;
+    let long2 = dot(run, run);
+    let t = clamp(dot(off, run) / max(long2, 1e-9), 0.0, 1.0);
+    var away = length(off - run * t);
+    if in.shape.w > 0.5 && long2 > 1e-6 {
+        // An ellipse with the line as its long axis.
+        let half = 0.5 * sqrt(long2);
+        let along = run / (2.0 * half);
+        let q = off - run * 0.5;
+        let e = vec2(dot(q, along) / half, (q.x * -along.y + q.y * along.x) / in.shape.x);
+        let k = length(e);
+        let slope = length(e / vec2(half, in.shape.x));
+        away = in.shape.x + select((k - 1.0) * k / max(slope, 1e-6), -in.shape.x, k < 1e-4);
+    }
+    var fill = clamp(in.shape.x + 0.5 - away, 0.0, 1.0);
+    if in.shape.z > 0.0 {
+        // Ink for 0.56 of each period, starting at the line's beginning.
+        let off_middle = abs(fract(t * sqrt(long2) / in.shape.z + 0.22) - 0.5);
+        fill *= clamp((0.28 - off_middle) * in.shape.z + 0.5, 0.0, 1.0);
+    }
+    let ring = clamp(in.shape.x + in.shape.y + 0.5 - away, 0.0, 1.0) * in.outline.a;
+    let base = vec4(in.outline.rgb * ring, ring);
+    let top = vec4(in.color.rgb, 1.0) * (in.color.a * fill);
+    return top + base * (1.0 - fill * in.color.a);
+}
+
+@fragment
+fn fs_stroke(in: Ink) -> @location(0) vec4<f32> {
+    return ink(in);
+}
+
+// What of a ghosted stroke lies behind something.
+@fragment
+fn fs_hidden(in: Ink) -> @location(0) vec4<f32> {
+    return ink(in) * 0.28;
+}

@@ -1,0 +1,36 @@
+// What every pass knows. Twin of `SceneUniform` in crates/render/src/uniforms.rs.
+
+struct Scene {
+    clip_from_world: mat4x4<f32>,
+    view_from_world: mat4x4<f32>,
+    // Orthographic: xy is the place in the shadow map, z the depth there.
+    shadow_from_world: mat4x4<f32>,
+    // Perspective: the eye and 1. Orthographic: the direction to the viewer and 0.
+    eye: vec4<f32>,
+    // Unit direction to the key light; w: 1 with shadows, 0 without.
+    key: vec4<f32>,
+    // Unit direction to the fill light, which moves with the camera.
+    fill: vec4<f32>,
+    // Width, height and their inverses, pixels.
+    viewport: vec4<f32>,
+    background_top: vec4<f32>,
+    background_bottom: vec4<f32>,
+    // x: nearest, y: farthest view depth of the figures; z: width of a shadow texel in metres; w: 1 / shadow size.
+    ranges: vec4<f32>,
+    // xz: centre; y: radius at which the grid has faded out; w: spacing of the fine lines.
+    ground: vec4<f32>,
+    // The figures' shadow on the ground: least x, least z, greatest x, greatest z.
+    footprint: vec4<f32>,
+    selected_tint: vec4<f32>,
+    hovered_tint: vec4<f32>,
+}
+
+@group(0) @binding(0) var<uniform> scene: Scene;
+
+fn toward_viewer(world: vec3<f32>) -> vec3<f32> {
+    return normalize(scene.eye.xyz - world * scene.eye.w);
+}
+
+fn linear_from_srgb(c: vec3<f32>) -> vec3<f32> {
+    return select(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, c <= vec3(0.04045));
+}
