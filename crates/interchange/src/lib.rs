@@ -1,1 +1,8 @@
-//! interchange
+//! Other programs' files, bytes in and values out: no disk, no clock.
+
+pub mod figure;
+mod spot;
+pub mod urdf;
+
+pub use figure::FigureError;
+pub use spot::Spot;

@@ -1,0 +1,127 @@
+//! Looks over the outline of a URDF file for what `urdf-rs` would report without saying where, or let pass.
+
+use std::collections::BTreeSet;
+
+use super::outline::{Attribute, Element};
+use super::{UrdfError, UrdfFault};
+use crate::Spot;
+
+/// What a number attribute holds.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    One,
+    Three,
+    Four,
+}
+
+const TYPES: [&str; 7] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar", "spherical"];
+
+/// Checks names, numbers and the parts that no joint or link may lack.
+pub fn check(text: &str, outline: &[Element<'_>]) -> Result<(), UrdfError> {
+    let spot = |at| Spot::at(text, at);
+    if outline[0].name != "robot" {
+        let found = format!("the root element is <{}>, expected <robot>", outline[0].name);
+        return Err(UrdfFault::Syntax(found).at(spot(outline[0].at)));
+    }
+    let mut names = BTreeSet::new();
+    for (i, element) in outline.iter().enumerate() {
+        for attribute in &element.attributes {
+            number(outline, i, attribute).map_err(|fault| fault.at(spot(attribute.at)))?;
+        }
+        required(outline, i).map_err(|fault| fault.at(spot(element.at)))?;
+        let tag = match element.name {
+            "link" => "link",
+            "joint" => "joint",
+            _ => continue,
+        };
+        let name = element.attribute("name").unwrap_or_default();
+        if element.parent == Some(0) && !names.insert((tag, name)) {
+            return Err(UrdfFault::Twice { tag, name: name.to_owned() }.at(spot(element.at)));
+        }
+    }
+    Ok(())
+}
+
+/// How a message calls an element: with the joint or link that it is in.
+fn described(outline: &[Element<'_>], i: usize) -> String {
+    let element = &outline[i];
+    let mut owner = Some(i);
+    while let Some(o) = owner {
+        if let ("joint" | "link", Some(name)) = (outline[o].name, outline[o].attribute("name")) {
+            let owner_name = format!("{} \"{name}\"", outline[o].name);
+            return if o == i { owner_name } else { format!("{owner_name}, <{}>", element.name) };
+        }
+        owner = outline[o].parent;
+    }
+    format!("<{}>", element.name)
+}
+
+fn kind(element: &str, attribute: &str) -> Option<Kind> {
+    match (element, attribute) {
+        ("origin", "xyz" | "rpy") | ("axis", "xyz") | ("box", "size") | ("mesh", "scale") => {
+            Some(Kind::Three)
+        }
+        ("origin", "quat_xyzw") | ("color", "rgba") => Some(Kind::Four),
+        ("mass", "value")
+        | ("inertia", "ixx" | "ixy" | "ixz" | "iyy" | "iyz" | "izz")
+        | ("limit", "lower" | "upper" | "effort" | "velocity") => Some(Kind::One),
+        _ => None,
+    }
+}
+
+fn number(outline: &[Element<'_>], i: usize, attribute: &Attribute<'_>) -> Result<(), UrdfFault> {
+    let Some(kind) = kind(outline[i].name, attribute.name) else { return Ok(()) };
+    let words: Vec<_> = attribute.value.split_whitespace().map(str::parse::<f64>).collect();
+    let (count, expected) = match kind {
+        Kind::One => (1, "one finite number"),
+        Kind::Three => (3, "three finite numbers"),
+        Kind::Four => (4, "four finite numbers"),
+    };
+    let finite = words.iter().all(|w| w.as_ref().is_ok_and(|v| v.is_finite()));
+    if finite && words.len() == count {
+        return Ok(());
+    }
+    Err(UrdfFault::Value {
+        element: described(outline, i),
+        attribute: attribute.name.to_owned(),
+        found: attribute.value.chars().take(60).collect(),
+        expected,
+    })
+}
+
+fn required(outline: &[Element<'_>], i: usize) -> Result<(), UrdfFault> {
+    let element = &outline[i];
+    let missing =
+        |what: &str| UrdfFault::Missing { element: described(outline, i), missing: what.to_owned() };
+    let inside = || outline[i + 1..].iter().take_while(|e| e.parent.is_some_and(|p| p >= i));
+    let child = |tag: &str| inside().any(|e| e.parent == Some(i) && e.name == tag);
+    let attributes: &[&str] = match (element.name, element.parent) {
+        ("link", Some(0)) => &["name"],
+        ("joint", Some(0)) => &["name", "type"],
+        ("parent" | "child", _) => &["link"],
+        ("mass", _) => &["value"],
+        ("axis", _) => &["xyz"],
+        _ => &[],
+    };
+    if let Some(name) = attributes.iter().find(|name| element.attribute(name).is_none()) {
+        return Err(missing(&format!("attribute {name}")));
+    }
+    if element.name != "joint" || element.parent != Some(0) {
+        return Ok(());
+    }
+    let found = element.attribute("type").unwrap_or_default();
+    if !TYPES.contains(&found) {
+        return Err(UrdfFault::Value {
+            element: described(outline, i),
+            attribute: "type".to_owned(),
+            found: found.chars().take(60).collect(),
+            expected: "revolute, continuous, fixed or floating",
+        });
+    }
+    let limit: &[&str] =
+        if found == "revolute" { &["parent", "child", "limit"] } else { &["parent", "child"] };
+    match limit.iter().find(|tag| !child(tag)) {
+        Some(tag) => Err(missing(&format!("<{tag}>"))),
+        None => Ok(()),
+    }
+}
