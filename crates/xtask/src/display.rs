@@ -52,3 +52,28 @@ impl Drop for VirtualDisplay {
         let _ = self.shell.wait(); // Nothing is left to do if it has gone already.
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::VirtualDisplay;
+    use crate::machine::has_program;
+
+    #[test]
+    fn displays_are_apart_and_end_with_their_owners() {
+        if !has_program("Xvfb") {
+            return; // `cargo xtask test` says so.
+        }
+        let socket = |display: &VirtualDisplay| {
+            std::path::Path::new("/tmp/.X11-unix").join(display.name().replace(':', "X"))
+        };
+        let one = VirtualDisplay::start().expect("a display");
+        let two = VirtualDisplay::start().expect("a second display");
+        let (of_one, of_two) = (socket(&one), socket(&two));
+        assert_ne!(of_one, of_two);
+        assert!(of_one.exists() && of_two.exists());
+        drop(one);
+        assert!(!of_one.exists() && of_two.exists());
+        drop(two);
+        assert!(!of_two.exists());
+    }
+}
