@@ -36,27 +36,27 @@ fn cut(inner: vec4<f32>, outer: vec4<f32>) -> vec4<f32> {
 fn vs_stroke(@builtin(vertex_index) index: u32, in: Stroke) -> Ink {
     let a = scene.clip_from_world * vec4(in.from_world, 1.0);
     let b = scene.clip_from_world * vec4(in.to_world, 1.0);
-    let from = cut(b, a);
-    let to = cut(a, b);
+    let start = cut(b, a);
+    let end = cut(a, b);
     var out: Ink;
     out.color = vec4(linear_from_srgb(in.color.rgb), in.color.a);
     out.outline = vec4(linear_from_srgb(in.outline.rgb), in.outline.a);
     out.shape = in.shape;
-    if from.z < 0.0 || to.z < 0.0 || from.w <= 0.0 || to.w <= 0.0 {
+    if start.z < 0.0 || end.z < 0.0 || start.w <= 0.0 || end.w <= 0.0 {
         out.clip = vec4(0.0, 0.0, 2.0, 1.0);
         return out;
     }
-    out.from_px = pixel_of(from);
-    out.to_px = pixel_of(to);
+    out.from_px = pixel_of(start);
+    out.to_px = pixel_of(end);
     let run = out.to_px - out.from_px;
     let long = length(run);
     let along = select(vec2(1.0, 0.0), run / max(long, 1e-6), long > 1e-3);
     let across = vec2(-along.y, along.x);
     let reach = in.shape.x + in.shape.y + 1.0;
-    let end = f32(index & 1u) * 2.0 - 1.0;
+    let tip = f32(index & 1u) * 2.0 - 1.0;
     let side = f32(index >> 1u) * 2.0 - 1.0;
-    let at = select(out.from_px, out.to_px, end > 0.0) + (along * end + across * side) * reach;
-    let near = select(from, to, end > 0.0);
+    let at = select(out.from_px, out.to_px, tip > 0.0) + (along * tip + across * side) * reach;
+    let near = select(start, end, tip > 0.0);
     let ndc = (at * scene.viewport.zw - 0.5) * vec2(2.0, -2.0);
     // A hair toward the viewer, so that marks on a surface are not swallowed by it.
     out.clip = vec4(ndc * near.w, near.z * (1.0 - 2e-5), near.w);
