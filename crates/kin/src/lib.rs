@@ -3,22 +3,32 @@
 //! Column vectors, right-handed frames, metres, radians. The mathematics and its sources are in
 //! `docs/conventions.md` and `docs/sources.md`.
 
+mod aim;
 mod ball;
 mod carrier;
+mod collar;
 mod elevation;
+mod eye;
 mod fk;
 mod frame;
+mod gaze;
 mod limb;
 mod range;
 mod reach;
+mod spine;
 
+pub use aim::{AIM_STEPS, AIM_TOLERANCE_RAD, AimError};
 pub use ball::{Ball, swing_twist};
 pub use carrier::Carrier;
+pub use collar::{CollarTurn, Rhythm, collar_turn};
 pub use elevation::{Arc, Elevations, RootRange};
+pub use eye::Eye;
 pub use fk::{FkError, Link, fk};
 pub use frame::Frame;
+pub use gaze::{Gaze, GazeSolution, GazeState};
 pub use limb::{
     Branch, Degenerate, HingeSolution, Limb, LimbGoal, LimbSolution, LimbState, Span, wrapped,
 };
 pub use range::{Cone, Interval};
 pub use reach::{LimbRanges, Reach, softened};
+pub use spine::{Bend, Column, ColumnSolution, ColumnState};

@@ -293,7 +293,7 @@ pub(crate) fn direction(goal: &LimbGoal) -> Result<(DVec3, f64), Degenerate> {
 }
 
 /// Whether squares of the numbers stay finite; no length of a body comes near the bound.
-fn usable(v: DVec3) -> bool {
+pub(crate) fn usable(v: DVec3) -> bool {
     v.is_finite() && v.abs().max_element() < 1e100
 }
 
