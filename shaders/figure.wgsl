@@ -32,51 +32,57 @@ fn vs_figure(skin: SkinVertex, surface: SurfaceVertex) -> Surface {
 }
 
 fn lit(at: vec3<f32>) -> f32 {
-    let step = 1.5 * scene.ranges.w;
-    var sum = textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy, at.z) * 2.0;
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-step, -0.4 * step), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(step, 0.4 * step), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(0.4 * step, -step), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-0.4 * step, step), at.z);
-    return sum / 6.0;
+    let a = 1.3 * scene.ranges.w;
+    let b = 2.9 * scene.ranges.w;
+    var sum = textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy, at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-a, -0.4 * a), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(a, 0.4 * a), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(0.4 * a, -a), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-0.4 * a, a), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-b, 0.3 * b), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(b, -0.3 * b), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(0.3 * b, b), at.z);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-0.3 * b, -b), at.z);
+    return sum / 9.0;
 }
 
-const KEY: vec3<f32> = vec3<f32>(2.15, 2.05, 1.90);
-const FILL: vec3<f32> = vec3<f32>(0.34, 0.37, 0.42);
-const SKY: vec3<f32> = vec3<f32>(0.50, 0.55, 0.62);
-const GROUND: vec3<f32> = vec3<f32>(0.20, 0.18, 0.165);
-const RIM: vec3<f32> = vec3<f32>(0.55, 0.62, 0.72);
+const KEY: vec3<f32> = vec3<f32>(1.36, 1.27, 1.15);
+const FILL: vec3<f32> = vec3<f32>(0.14, 0.155, 0.18);
+const SKY: vec3<f32> = vec3<f32>(0.235, 0.265, 0.315);
+const GROUND: vec3<f32> = vec3<f32>(0.105, 0.094, 0.085);
+const RIM: vec3<f32> = vec3<f32>(0.30, 0.34, 0.40);
 
 fn shade(in: Surface, n: vec3<f32>) -> vec3<f32> {
     let v = toward_viewer(in.world);
     let facing = clamp(dot(n, v), 0.0, 1.0);
-    let toward_key = dot(n, scene.key.xyz);
-    var key = max(toward_key, 0.0);
+    var key = max(dot(n, scene.key.xyz), 0.0);
     if key > 0.0 && scene.key.w > 0.0 {
         key *= lit(in.shadow);
     }
     let sky = 0.5 + 0.5 * n.y;
     let fill = 0.5 + 0.5 * dot(n, scene.fill.xyz);
-    // Creases and undersides near the ground see less of the studio.
-    let low = 0.75 + 0.25 * smoothstep(0.0, 0.35, in.world.y);
-    var light = mix(GROUND, SKY, sky) * low + FILL * fill * fill + KEY * key;
+    // What is near the ground sees less of the studio.
+    let open = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
+    let light = mix(GROUND, SKY, sky) * open + FILL * (fill * fill) + KEY * key;
     let half_way = normalize(scene.key.xyz + v);
-    let gloss = pow(max(dot(n, half_way), 0.0), 28.0) * 0.16 * key;
+    let gloss = pow(max(dot(n, half_way), 0.0), 24.0) * 0.10 * key;
     let edge = 1.0 - facing;
     let edge3 = edge * edge * edge;
-    let rim = RIM * (edge3 * (0.35 + 0.65 * sky) * 0.55);
-    var albedo = in.color;
-    let hover = in.marked.y * scene.hovered_tint.a;
-    let select = in.marked.x * scene.selected_tint.a;
-    albedo = mix(albedo, scene.hovered_tint.rgb, hover);
-    albedo = mix(albedo, scene.selected_tint.rgb, select);
-    return albedo * light + KEY * gloss + rim + scene.selected_tint.rgb * (select * edge3);
+    let rim = RIM * (edge3 * (0.3 + 0.7 * sky));
+    let select_share = in.marked.x * scene.selected_tint.a;
+    let hover_share = in.marked.y * scene.hovered_tint.a;
+    var albedo = mix(in.color, scene.hovered_tint.rgb, hover_share);
+    albedo = mix(albedo, scene.selected_tint.rgb, select_share);
+    // Marked bones glow a little, so that they are found in the shadow too.
+    let glow = scene.selected_tint.rgb * select_share * (0.06 + 0.6 * edge3)
+        + scene.hovered_tint.rgb * hover_share * (0.05 + 0.3 * edge3);
+    return albedo * light + KEY * gloss + rim + glow;
 }
 
-// A soft shoulder: middle tones stay, highlights roll off and keep their hue for long.
+// A soft shoulder: dark and middle tones stay, highlights approach white and never clip.
 fn tone(c: vec3<f32>) -> vec3<f32> {
-    let x = max(c, vec3(0.0)) * 0.82;
-    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3(0.0), vec3(1.0));
+    let x = max(c, vec3(0.0)) * 1.12;
+    return x * inverseSqrt(1.0 + x * x);
 }
 
 @fragment

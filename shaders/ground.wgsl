@@ -1,7 +1,7 @@
 // The ground plane y = 0: a grid that fades with distance, and the figures' shadow. Follows scene.wgsl.
 
-@group(2) @binding(0) var shadow_map: texture_depth_2d;
-@group(2) @binding(1) var shadow_sampler: sampler_comparison;
+@group(2) @binding(0) var soft_map: texture_2d<f32>;
+@group(2) @binding(1) var soft_sampler: sampler;
 
 struct Ground {
     @builtin(position) clip: vec4<f32>,
@@ -33,7 +33,7 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
     let fine = lines(in.at, pixel, scene.ground.w, 1.0);
     let metre = lines(in.at, pixel, scene.ground.w * 10.0, 1.2);
     let axis = clamp(vec2(1.3) - abs(in.at) / pixel, vec2(0.0), vec2(1.0));
-    var alpha = max(max(fine.x, fine.y) * 0.10, max(metre.x, metre.y) * 0.22);
+    var alpha = max(max(fine.x, fine.y) * 0.075, max(metre.x, metre.y) * 0.20);
     var color = vec3(0.75, 0.78, 0.82);
     // Along X the z coordinate is zero, and the other way round.
     color = mix(color, vec3(0.78, 0.16, 0.14), axis.y);
@@ -44,25 +44,23 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
 
 struct Shade {
     @builtin(position) clip: vec4<f32>,
-    @location(0) shadow: vec3<f32>,
+    @location(0) at: vec2<f32>,
 }
 
 @vertex
 fn vs_shade(@builtin(vertex_index) index: u32) -> Shade {
-    let at = mix(scene.footprint.xy, scene.footprint.zw, corner(index));
-    let world = vec4(at.x, 0.0, at.y, 1.0);
-    return Shade(scene.clip_from_world * world, (scene.shadow_from_world * world).xyz);
+    let corner = corner(index);
+    let at = mix(scene.footprint.xy, scene.footprint.zw, corner);
+    return Shade(scene.clip_from_world * vec4(at.x, 0.0, at.y, 1.0), corner);
 }
 
 @fragment
 fn fs_shade(in: Shade) -> @location(0) vec4<f32> {
-    let step = 2.0 * scene.ranges.w;
-    var sum = 0.0;
-    for (var y = -1.0; y < 1.5; y += 1.0) {
-        for (var x = -1.0; x < 1.5; x += 1.0) {
-            let at = in.shadow.xy + vec2(x, y) * step;
-            sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at, in.shadow.z - 0.002);
-        }
-    }
-    return vec4(0.0, 0.0, 0.0, 0.5 * (1.0 - sum / 9.0));
+    // Four filtered reads average a block of four by four texels.
+    let step = 1.0 / vec2<f32>(textureDimensions(soft_map));
+    var lit = textureSampleLevel(soft_map, soft_sampler, in.at - step, 0.0).r;
+    lit += textureSampleLevel(soft_map, soft_sampler, in.at + step, 0.0).r;
+    lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(step.x, -step.y), 0.0).r;
+    lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(-step.x, step.y), 0.0).r;
+    return vec4(0.0, 0.0, 0.0, 0.62 * (1.0 - 0.25 * lit));
 }

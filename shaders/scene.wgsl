@@ -21,6 +21,8 @@ struct Scene {
     ground: vec4<f32>,
     // The figures' shadow on the ground: least x, least z, greatest x, greatest z.
     footprint: vec4<f32>,
+    // x: depth of the shadow map, metres.
+    light: vec4<f32>,
     selected_tint: vec4<f32>,
     hovered_tint: vec4<f32>,
 }

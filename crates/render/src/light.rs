@@ -6,6 +6,9 @@ use rig::Bounds;
 /// Edge of the shadow map, texels.
 pub(crate) const SHADOW_SIZE: u32 = 2048;
 
+/// How far the soft shadow reaches beyond the sharp one.
+const PENUMBRA_M: f32 = 0.16;
+
 /// A directional light and its shadow map's frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Light {
@@ -15,6 +18,8 @@ pub(crate) struct Light {
     pub shadow_from_world: Mat4,
     /// What a texel spans, metres.
     pub texel_m: f32,
+    /// What depth 0 to 1 spans, metres.
+    pub deep_m: f32,
     /// Edge of the shadow map, texels.
     pub size: u32,
     /// Least x and z, greatest x and z of the shadow on the ground.
@@ -34,6 +39,7 @@ impl Light {
                 toward,
                 shadow_from_world: Mat4::IDENTITY,
                 texel_m: 0.0,
+                deep_m: 1.0,
                 size: SHADOW_SIZE,
                 footprint: [0.0; 4],
                 casts: false,
@@ -42,7 +48,7 @@ impl Light {
         let on_ground = |p: &Vec3| *p - toward * (p.y / toward.y);
         let fallen = Bounds::of(casters.iter().map(on_ground));
         // Steps of size and place keep still edges still while a limb moves.
-        let half = (seen.max - seen.min).truncate().max_element() * 0.5 + 0.02;
+        let half = (seen.max - seen.min).truncate().max_element() * 0.5 + PENUMBRA_M;
         let half = (half * 8.0).ceil() / 8.0;
         let texel_m = 2.0 * half / SHADOW_SIZE as f32;
         let center = (seen.center() / texel_m).round() * texel_m;
@@ -59,12 +65,13 @@ impl Light {
             toward,
             shadow_from_world: texture_from_light * Mat4::from_mat3(axes),
             texel_m,
+            deep_m: deep,
             size: SHADOW_SIZE,
             footprint: [
-                fallen.min.x - 0.05,
-                fallen.min.z - 0.05,
-                fallen.max.x + 0.05,
-                fallen.max.z + 0.05,
+                fallen.min.x - PENUMBRA_M,
+                fallen.min.z - PENUMBRA_M,
+                fallen.max.x + PENUMBRA_M,
+                fallen.max.z + PENUMBRA_M,
             ],
             casts: true,
         }
@@ -104,7 +111,10 @@ mod tests {
                     let at = light.shadow_from_world.transform_point3(q);
                     assert!(at.cmpge(Vec3::ZERO).all() && at.cmple(Vec3::ONE).all(), "{key}: {q} -> {at}");
                 }
-                let (a, b) = (light.shadow_from_world.transform_point3(p), light.shadow_from_world.transform_point3(ground));
+                let (a, b) = (
+                    light.shadow_from_world.transform_point3(p),
+                    light.shadow_from_world.transform_point3(ground),
+                );
                 assert!((a - b).truncate().length() < 1e-4 && a.z <= b.z + 1e-6);
             }
         }

@@ -2,17 +2,20 @@
 
 use std::collections::HashMap;
 
+use crate::layouts::Layouts;
 use crate::overlay::Stroke;
 use crate::shaders;
+use crate::shadow::SOFT_FORMAT;
 use crate::skins::VERTEX_LAYOUTS;
 use crate::target::{DEPTH_FORMAT, TargetKey};
-use crate::uniforms::FigureUniform;
 
 /// What a pipeline draws.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum Draw {
     /// Depth of the figures from the key light.
-    Shadow,
+    Shadow { two_sided: bool },
+    /// The figures' shadow on the ground, into a small map of its own.
+    Soften,
     /// Depth of a translucent figure, so that its far side stays hidden.
     Ghost { two_sided: bool },
     /// A figure with one of figure.wgsl's fragment shaders.
@@ -38,55 +41,13 @@ pub(crate) enum Seen {
     Always,
 }
 
-/// The layouts of what shaders read.
-#[derive(Debug)]
-pub(crate) struct Layouts {
-    pub scene: wgpu::BindGroupLayout,
-    pub figure: wgpu::BindGroupLayout,
-    pub shadow: wgpu::BindGroupLayout,
-}
-
-impl Layouts {
-    pub fn new(device: &wgpu::Device) -> Layouts {
-        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
-        };
-        let uniform = |size: Option<usize>| wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: size.is_some(),
-                min_binding_size: size.and_then(|s| std::num::NonZeroU64::new(s as u64)),
-            },
-            count: None,
-        };
-        let fragment = |binding, ty| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty,
-            count: None,
-        };
-        let shadow_map = wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Depth,
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        };
-        let compare = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison);
-        Layouts {
-            scene: layout("scene", &[uniform(None)]),
-            figure: layout("figure", &[uniform(Some(size_of::<FigureUniform>()))]),
-            shadow: layout("shadow", &[fragment(0, shadow_map), fragment(1, compare)]),
-        }
-    }
-}
-
 /// All pipelines so far.
 #[derive(Debug)]
 pub(crate) struct Pipelines {
     pub layouts: Layouts,
     figure: wgpu::ShaderModule,
     shadow: wgpu::ShaderModule,
+    soften: wgpu::ShaderModule,
     backdrop: wgpu::ShaderModule,
     ground: wgpu::ShaderModule,
     overlay: wgpu::ShaderModule,
@@ -100,12 +61,20 @@ struct Recipe<'a> {
     fragment: Option<&'static str>,
     buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     groups: &'a [Option<&'a wgpu::BindGroupLayout>],
+    format: Option<wgpu::TextureFormat>,
+    samples: u32,
     strip: bool,
     cull: Option<wgpu::Face>,
-    depth_write: bool,
-    depth_compare: wgpu::CompareFunction,
-    bias: wgpu::DepthBiasState,
+    depth: Option<DepthRule>,
     blend: bool,
+}
+
+/// What a draw does with depth.
+#[derive(Clone, Copy)]
+struct DepthRule {
+    write: bool,
+    compare: wgpu::CompareFunction,
+    slope_bias: f32,
 }
 
 const STROKE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -128,6 +97,7 @@ impl Pipelines {
             layouts: Layouts::new(device),
             figure: module("figure", shaders::FIGURE),
             shadow: module("shadow", shaders::SHADOW),
+            soften: module("soften", shaders::SOFTEN),
             backdrop: module("backdrop", shaders::BACKDROP),
             ground: module("ground", shaders::GROUND),
             overlay: module("overlay", shaders::OVERLAY),
@@ -158,97 +128,104 @@ impl Pipelines {
     ) -> wgpu::RenderPipeline {
         use wgpu::CompareFunction::{Always, Greater, Less, LessEqual};
         let [skin, surface] = VERTEX_LAYOUTS.map(Some);
-        let skin_only = [skin.clone()];
-        let both = [skin, surface];
+        let (skin_only, both) = ([skin.clone()], [skin, surface]);
         let strokes = [Some(STROKE_LAYOUT)];
         let layouts = &self.layouts;
-        let groups = [Some(&layouts.scene), Some(&layouts.figure), Some(&layouts.shadow)];
-        let no_bias = wgpu::DepthBiasState::default();
+        let shaded = [Some(&layouts.scene), Some(&layouts.figure), Some(&layouts.shadow)];
+        let ground = [Some(&layouts.scene), None, Some(&layouts.soft)];
+        let behind = DepthRule { write: false, compare: LessEqual, slope_bias: 0.0 };
         let plain = Recipe {
             module: &self.ground,
             vertex: "vs_grid",
             fragment: None,
             buffers: &[],
-            groups: &groups,
+            groups: &ground,
+            format: Some(format),
+            samples,
             strip: true,
             cull: None,
-            depth_write: false,
-            depth_compare: LessEqual,
-            bias: no_bias,
+            depth: Some(behind),
             blend: true,
         };
-        let skinned = Recipe { strip: false, depth_write: true, depth_compare: Less, ..plain };
         let side = |two_sided: bool| (!two_sided).then_some(wgpu::Face::Back);
+        let skinned = |fragment, two_sided, compare| Recipe {
+            module: &self.figure,
+            vertex: "vs_figure",
+            fragment: Some(fragment),
+            buffers: &both,
+            groups: &shaded,
+            strip: false,
+            cull: side(two_sided),
+            depth: Some(DepthRule { write: true, compare, slope_bias: 0.0 }),
+            ..plain
+        };
         let recipe = match draw {
-            Draw::Shadow => Recipe {
+            Draw::Shadow { two_sided } => Recipe {
                 module: &self.shadow,
                 vertex: "vs_shadow",
+                fragment: None,
                 buffers: &skin_only,
-                groups: &groups[..2],
-                bias: wgpu::DepthBiasState { constant: 0, slope_scale: 2.0, clamp: 0.0 },
-                ..skinned
+                groups: &shaded[..2],
+                format: None,
+                samples: 1,
+                depth: Some(DepthRule { write: true, compare: Less, slope_bias: 2.0 }),
+                ..skinned("", two_sided, Less)
             },
-            Draw::Ghost { two_sided } => Recipe {
-                module: &self.figure,
-                vertex: "vs_figure",
-                fragment: Some("fs_nothing"),
-                buffers: &both,
-                cull: side(two_sided),
-                ..skinned
+            Draw::Soften => Recipe {
+                module: &self.soften,
+                vertex: "vs_soften",
+                fragment: Some("fs_soften"),
+                groups: &shaded,
+                format: Some(SOFT_FORMAT),
+                samples: 1,
+                depth: None,
+                blend: false,
+                ..plain
             },
-            Draw::Figure { fragment, two_sided } => Recipe {
-                module: &self.figure,
-                vertex: "vs_figure",
-                fragment: Some(fragment),
-                buffers: &both,
-                cull: side(two_sided),
-                depth_compare: LessEqual,
-                ..skinned
-            },
+            Draw::Ghost { two_sided } => skinned("fs_nothing", two_sided, Less),
+            Draw::Figure { fragment, two_sided } => skinned(fragment, two_sided, LessEqual),
             Draw::Backdrop => Recipe {
                 module: &self.backdrop,
                 vertex: "vs_backdrop",
                 fragment: Some("fs_backdrop"),
+                groups: &shaded[..1],
                 blend: false,
                 ..plain
             },
-            Draw::Grid => Recipe { fragment: Some("fs_grid"), ..plain },
+            Draw::Grid => Recipe { fragment: Some("fs_grid"), groups: &shaded[..1], ..plain },
             Draw::Shade => Recipe { vertex: "vs_shade", fragment: Some("fs_shade"), ..plain },
             Draw::Strokes(seen) => Recipe {
                 module: &self.overlay,
                 vertex: "vs_stroke",
                 fragment: Some(if seen == Seen::Behind { "fs_hidden" } else { "fs_stroke" }),
                 buffers: &strokes,
-                depth_compare: match seen {
-                    Seen::Before => LessEqual,
-                    Seen::Behind => Greater,
-                    Seen::Always => Always,
-                },
+                groups: &shaded[..1],
+                depth: Some(DepthRule {
+                    compare: match seen {
+                        Seen::Before => LessEqual,
+                        Seen::Behind => Greater,
+                        Seen::Always => Always,
+                    },
+                    ..behind
+                }),
                 ..plain
             },
         };
-        let format = (draw != Draw::Shadow).then_some(format);
-        build(device, &recipe, if format.is_some() { samples } else { 1 }, format)
+        build(device, &recipe)
     }
 }
 
-fn build(
-    device: &wgpu::Device,
-    recipe: &Recipe<'_>,
-    samples: u32,
-    format: Option<wgpu::TextureFormat>,
-) -> wgpu::RenderPipeline {
+fn build(device: &wgpu::Device, recipe: &Recipe<'_>) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(recipe.vertex),
         bind_group_layouts: recipe.groups,
         immediate_size: 0,
     });
-    let target = format.map(|format| wgpu::ColorTargetState {
+    let targets = [recipe.format.map(|format| wgpu::ColorTargetState {
         format,
         blend: recipe.blend.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
         write_mask: wgpu::ColorWrites::ALL,
-    });
-    let targets = [target];
+    })];
     let fragment = recipe.fragment.map(|entry| wgpu::FragmentState {
         module: recipe.module,
         entry_point: Some(entry),
@@ -260,6 +237,13 @@ fn build(
     } else {
         wgpu::PrimitiveTopology::TriangleList
     };
+    let depth_stencil = recipe.depth.map(|rule| wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(rule.write),
+        depth_compare: Some(rule.compare),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState { constant: 0, slope_scale: rule.slope_bias, clamp: 0.0 },
+    });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(recipe.fragment.unwrap_or(recipe.vertex)),
         layout: Some(&layout),
@@ -274,14 +258,8 @@ fn build(
             cull_mode: recipe.cull,
             ..wgpu::PrimitiveState::default()
         },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(recipe.depth_write),
-            depth_compare: Some(recipe.depth_compare),
-            stencil: wgpu::StencilState::default(),
-            bias: recipe.bias,
-        }),
-        multisample: wgpu::MultisampleState { count: samples, ..wgpu::MultisampleState::default() },
+        depth_stencil,
+        multisample: wgpu::MultisampleState { count: recipe.samples, ..wgpu::MultisampleState::default() },
         fragment,
         multiview_mask: None,
         cache: None,

@@ -6,12 +6,13 @@ use glam::Vec3;
 use rig::{Bounds, Mesh};
 
 use crate::figures::Figures;
-use crate::light::{Light, SHADOW_SIZE};
+use crate::light::Light;
 use crate::overlay::{Stroke, Strokes};
 use crate::pipelines::{Draw, Pipelines, Seen};
 use crate::scene::{FigureView, Pass, Scene};
+use crate::shadow::ShadowMaps;
 use crate::skins::Skin;
-use crate::target::{DEPTH_FORMAT, Target, TargetKey};
+use crate::target::{Target, TargetKey};
 use crate::uniforms::SceneUniform;
 use crate::{DrawError, Gpu, openpose};
 
@@ -26,8 +27,7 @@ pub struct Renderer {
     scene_buffer: wgpu::Buffer,
     scene_group: wgpu::BindGroup,
     figures: Figures,
-    shadow_map: wgpu::TextureView,
-    shadow_group: wgpu::BindGroup,
+    shadow: ShadowMaps,
     strokes: wgpu::Buffer,
     target: Option<Target>,
 }
@@ -52,17 +52,15 @@ impl Renderer {
             layout: &pipelines.layouts.scene,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: scene_buffer.as_entire_binding() }],
         });
-        let (shadow_map, shadow_group) = shadow_map(device, &pipelines.layouts.shadow);
         Renderer {
             figures: Figures::new(device, &pipelines.layouts.figure, 1),
+            shadow: ShadowMaps::new(device, &pipelines.layouts),
             strokes: stroke_buffer(device, 256),
             gpu: gpu.clone(),
             pipelines,
             skins: HashMap::new(),
             scene_buffer,
             scene_group,
-            shadow_map,
-            shadow_group,
             target: None,
         }
     }
@@ -203,24 +201,24 @@ impl Renderer {
 
     fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
         let Some(key) = self.target.as_ref().map(|t| t.key) else { return };
-        let mut draws = vec![
-            Draw::Shadow,
-            Draw::Backdrop,
-            Draw::Grid,
-            Draw::Shade,
-            Draw::Strokes(Seen::Before),
-            Draw::Strokes(Seen::Behind),
-            Draw::Strokes(Seen::Always),
-        ];
-        if scene.pass != Pass::Color {
-            draws = vec![Draw::Strokes(Seen::Always)];
-        }
+        let mut draws = match scene.pass {
+            Pass::Color => vec![
+                Draw::Soften,
+                Draw::Backdrop,
+                Draw::Grid,
+                Draw::Shade,
+                Draw::Strokes(Seen::Before),
+                Draw::Strokes(Seen::Behind),
+                Draw::Strokes(Seen::Always),
+            ],
+            _ => vec![Draw::Strokes(Seen::Always)],
+        };
         if let Some(fragment) = fragment_of(scene.pass) {
             for view in scene.figures {
-                draws.push(Draw::Figure { fragment, two_sided: view.two_sided });
-                if !is_solid(view) {
-                    draws.push(Draw::Ghost { two_sided: view.two_sided });
-                }
+                let two_sided = view.two_sided;
+                let other =
+                    if is_solid(view) { Draw::Shadow { two_sided } } else { Draw::Ghost { two_sided } };
+                draws.extend([Draw::Figure { fragment, two_sided }, other]);
             }
         }
         for draw in draws {
@@ -231,12 +229,29 @@ impl Renderer {
     fn record_shadow(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
-            depth_stencil_attachment: Some(depth_attachment(&self.shadow_map, wgpu::StoreOp::Store)),
+            depth_stencil_attachment: Some(depth_attachment(&self.shadow.depth, wgpu::StoreOp::Store)),
             ..wgpu::RenderPassDescriptor::default()
         });
         pass.set_bind_group(0, &self.scene_group, &[]);
         for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| is_solid(v)) {
-            self.draw_skin(&mut pass, Draw::Shadow, i, view);
+            self.draw_skin(&mut pass, Draw::Shadow { two_sided: view.two_sided }, i, view);
+        }
+        drop(pass);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("soft shadow"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.shadow.soft,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations::default(),
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, &self.scene_group, &[]);
+        pass.set_bind_group(1, &self.figures.group, &[0]);
+        pass.set_bind_group(2, &self.shadow.depth_group, &[]);
+        if self.set_pipeline(&mut pass, Draw::Soften) {
+            pass.draw(0..4, 0..1);
         }
     }
 
@@ -250,7 +265,6 @@ impl Renderer {
         });
         pass.set_bind_group(0, &self.scene_group, &[]);
         pass.set_bind_group(1, &self.figures.group, &[0]);
-        pass.set_bind_group(2, &self.shadow_group, &[]);
         self.draw_figures(&mut pass, scene, is_solid);
         if scene.pass == Pass::Color {
             // Behind the figures in depth and after them in time: what they cover is not shaded twice.
@@ -267,6 +281,7 @@ impl Renderer {
         chosen: impl Fn(&FigureView<'_>) -> bool,
     ) {
         let Some(fragment) = fragment_of(scene.pass) else { return };
+        pass.set_bind_group(2, &self.shadow.depth_group, &[]);
         for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| chosen(v)) {
             let two_sided = view.two_sided;
             if !is_solid(view) {
@@ -283,6 +298,7 @@ impl Renderer {
             (Draw::Shade, above && self.casts_shadow(scene)),
             (Draw::Grid, scene.look.grid && !scene.look.transparent),
         ];
+        pass.set_bind_group(2, &self.shadow.soft_group, &[]);
         for (draw, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
             if self.set_pipeline(pass, draw) {
                 pass.draw(0..4, 0..1);
@@ -306,11 +322,12 @@ impl Renderer {
     }
 
     fn draw_skin(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw, figure: usize, view: &FigureView<'_>) {
-        let Some(skin) = self.skins.get(&view.skin) else { return };
+        // An empty skin has no buffers to bind.
+        let Some(skin) = self.skins.get(&view.skin).filter(|s| s.index_count > 0) else { return };
         if self.set_pipeline(pass, draw) {
             pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
             pass.set_vertex_buffer(0, skin.vertices.slice(..));
-            if draw != Draw::Shadow {
+            if !matches!(draw, Draw::Shadow { .. }) {
                 pass.set_vertex_buffer(1, skin.surface.slice(..));
             }
             pass.set_index_buffer(skin.indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -367,37 +384,4 @@ fn stroke_buffer(device: &wgpu::Device, count: usize) -> wgpu::Buffer {
         usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     })
-}
-
-fn shadow_map(
-    device: &wgpu::Device,
-    layout: &wgpu::BindGroupLayout,
-) -> (wgpu::TextureView, wgpu::BindGroup) {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("shadow map"),
-        size: wgpu::Extent3d { width: SHADOW_SIZE, height: SHADOW_SIZE, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: DEPTH_FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("shadow"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        compare: Some(wgpu::CompareFunction::LessEqual),
-        ..wgpu::SamplerDescriptor::default()
-    });
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("shadow"),
-        layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-        ],
-    });
-    (view, group)
 }

@@ -148,9 +148,9 @@ impl Default for Look {
             shadow: true,
             msaa: Msaa::Four,
             scale: 1.0,
-            key_light: Vec3::new(0.55, 0.95, 0.75),
-            selected: [255, 138, 40, 150],
-            hovered: [255, 214, 150, 90],
+            key_light: Vec3::new(0.75, 1.0, 0.6),
+            selected: [255, 128, 30, 190],
+            hovered: [255, 184, 96, 110],
         }
     }
 }

@@ -24,6 +24,7 @@ pub(crate) struct SceneUniform {
     pub ranges: [f32; 4],
     pub ground: [f32; 4],
     pub footprint: [f32; 4],
+    pub light: [f32; 4],
     pub selected_tint: [f32; 4],
     pub hovered_tint: [f32; 4],
 }
@@ -72,7 +73,7 @@ impl SceneUniform {
             Projection::Orthographic => axes.z_axis.extend(0.0),
         };
         let fill = (axes.z_axis + axes.y_axis * 0.35 - axes.x_axis * 0.45).normalize_or(Vec3::Z);
-        let reach = (camera.distance * 2.5).clamp(2.0, 100.0);
+        let reach = (camera.distance * 2.0).clamp(2.0, 100.0);
         let spacing = if camera.height_at_target() > 12.0 { 1.0 } else { 0.1 };
         SceneUniform {
             clip_from_world: camera.clip_from_world(width / height).to_cols_array_2d(),
@@ -87,6 +88,7 @@ impl SceneUniform {
             ranges: [depth_range[0], depth_range[1], light.texel_m, 1.0 / light.size as f32],
             ground: [camera.target.x, reach, camera.target.z, spacing],
             footprint: light.footprint,
+            light: [light.deep_m, 0.0, 0.0, 0.0],
             selected_tint: linear(look.selected),
             hovered_tint: linear(look.hovered),
         }

@@ -1,0 +1,72 @@
+//! The key light's depth map, and the soft shadow on the ground made from it.
+
+use crate::layouts::Layouts;
+use crate::light::SHADOW_SIZE;
+use crate::target::DEPTH_FORMAT;
+
+/// Format of the soft shadow: how much of the key light arrives.
+pub(crate) const SOFT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+/// Edge of the soft shadow's map over the footprint, texels.
+const SOFT_SIZE: u32 = 256;
+
+/// Both maps and their bind groups.
+#[derive(Debug)]
+pub(crate) struct ShadowMaps {
+    /// Depth from the key light.
+    pub depth: wgpu::TextureView,
+    pub depth_group: wgpu::BindGroup,
+    /// Light on the ground.
+    pub soft: wgpu::TextureView,
+    pub soft_group: wgpu::BindGroup,
+}
+
+impl ShadowMaps {
+    pub fn new(device: &wgpu::Device, layouts: &Layouts) -> ShadowMaps {
+        let depth = map(device, "shadow map", SHADOW_SIZE, DEPTH_FORMAT);
+        let soft = map(device, "soft shadow", SOFT_SIZE, SOFT_FORMAT);
+        let compare = Some(wgpu::CompareFunction::LessEqual);
+        ShadowMaps {
+            depth_group: group(device, &layouts.shadow, &depth, compare),
+            soft_group: group(device, &layouts.soft, &soft, None),
+            depth,
+            soft,
+        }
+    }
+}
+
+fn map(device: &wgpu::Device, label: &str, size: u32, format: wgpu::TextureFormat) -> wgpu::TextureView {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    view: &wgpu::TextureView,
+    compare: Option<wgpu::CompareFunction>,
+) -> wgpu::BindGroup {
+    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("shadow"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare,
+        ..wgpu::SamplerDescriptor::default()
+    });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("shadow"),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(view) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+        ],
+    })
+}
