@@ -87,6 +87,22 @@ pub(crate) fn aim(
     Some(Aimed { at, off: miss.length(), steps })
 }
 
+/// The first start that reaches, else the best; the others are for the rare case in which the first
+/// one ends in a blind alley.
+pub(crate) fn best_of(starts: [DVec2; 3], from: impl Fn(DVec2) -> Option<Aimed>) -> Option<Aimed> {
+    let mut best: Option<Aimed> = None;
+    for start in starts {
+        let Some(found) = from(start) else { continue };
+        if best.is_none_or(|best| found.off < best.off - 1e-3) {
+            best = Some(found);
+        }
+        if best.is_some_and(|best| best.off <= AIM_TOLERANCE_RAD) {
+            break;
+        }
+    }
+    best
+}
+
 /// How the miss changes with each unknown.
 fn slopes(at: DVec2, sight: impl Fn(DVec2) -> Option<Sight>) -> Option<[DVec3; 2]> {
     const STEP: f64 = 1e-5;

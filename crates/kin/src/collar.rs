@@ -56,7 +56,7 @@ pub fn collar_turn(shoulder: DVec3, target: DVec3, reach: f64) -> CollarTurn {
     let (arm, far) = (shoulder.length(), target.length());
     let cross = from.cross(to);
     let present = cross.length().atan2(from.dot(to));
-    let axis = cross.try_normalize().unwrap_or_else(|| from.any_orthonormal_vector());
+    let axis = normal(from, cross);
     // The half-angle form of cos(wanted) = (arm² + far² - reach²) / (2 arm far), accurate at both ends.
     let closest = arm - far;
     let short = (reach - closest) * (reach + closest);
@@ -66,6 +66,16 @@ pub fn collar_turn(shoulder: DVec3, target: DVec3, reach: f64) -> CollarTurn {
     }
     let wanted = 2.0 * short.sqrt().atan2(((arm + far - reach) * (arm + far + reach)).max(0.0).sqrt());
     CollarTurn::Turned(DQuat::from_axis_angle(axis, (present - wanted).max(0.0)))
+}
+
+/// The unit normal of a plane that holds `from`, given a rough one; any if there is none.
+///
+/// Near to parallel the product is mostly rounding, and a normal that is not perpendicular would miss.
+fn normal(from: DVec3, rough: DVec3) -> DVec3 {
+    if rough.length() < 1e-15 {
+        return from.any_orthonormal_vector();
+    }
+    (rough - from * rough.dot(from)).normalize()
 }
 
 /// How far the collar rises with the arm: nothing up to an onset, then a share of each further degree.

@@ -4,13 +4,16 @@
 //! change of gaze turns about the upright and nods about the head's own side, and never rolls. The neck's
 //! joints share the head's turn as an even bend.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::aim::{AIM_TOLERANCE_RAD, AimError, Sight, aim};
+use crate::aim::{AIM_TOLERANCE_RAD, AimError, Sight, aim, best_of};
 use crate::limb::{usable, wrapped};
-use crate::spine::{Column, ColumnState};
+use crate::spine::{Bend, Column, ColumnState};
+
+/// How far beyond straight up or down a nod follows a target before the head turns round instead.
+const OVER_THE_POLE_RAD: f64 = 0.35;
 
 /// A neck of `N` joints, the last of which is the head's, with an eye point in the head.
 ///
@@ -41,9 +44,10 @@ pub struct Gaze<const N: usize> {
 /// Where a head is turned, and what an even share among its joints can't express.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GazeState<const N: usize> {
-    /// Turn about the base's upright, radians, positive to the figure's left.
+    /// Turn about the base's upright, radians, positive to the figure's left; a little beyond pi for some
+    /// targets right behind.
     pub yaw: f64,
-    /// Nod about the head's side, radians, positive downward, in [-pi/2, pi/2].
+    /// Nod about the head's side, radians, positive downward; beyond a right angle past straight up and down.
     pub pitch: f64,
     /// Roll about the line of sight, radians, positive to the figure's right; no gaze changes it.
     pub roll: f64,
@@ -95,7 +99,7 @@ impl<const N: usize> Gaze<N> {
 
     /// The joints' local turns.
     pub fn pose(&self, state: &GazeState<N>) -> [DQuat; N] {
-        let bend = self.column.bend_of(self.head(state.yaw, state.pitch, state.roll));
+        let bend = self.bend(self.head(state.yaw, state.pitch, state.roll), state.yaw);
         self.column.pose(&ColumnState { bend, residues: state.residues })
     }
 
@@ -107,16 +111,24 @@ impl<const N: usize> Gaze<N> {
 
     /// Reads the state off the joints: `pose(recover(locals))` is `locals`.
     ///
-    /// Straight up and straight down, where yaw and roll are the same turn, it is all roll.
+    /// Of the two sets of angles that any turn has, the one with the roll in [-pi/2, pi/2] is taken: the pitch
+    /// passes a right angle rather than that the head stands on its crown. Straight up and straight down,
+    /// where yaw and roll are the same turn, the split is arbitrary.
     ///
     /// # Errors
     /// Turns that are not finite or have no length.
     pub fn recover(&self, locals: &[DQuat; N]) -> Result<GazeState<N>, AimError> {
-        let state = self.column.recover(locals)?;
-        let head = locals.iter().fold(DQuat::IDENTITY, |turn, local| turn * local.normalize());
-        let [yaw, pitch] = self.yaw_pitch(head * self.forward);
-        let rolled = self.head(yaw, pitch, 0.0).conjugate() * head;
-        let roll = wrapped(2.0 * rolled.xyz().dot(self.forward).atan2(rolled.w));
+        let angles = |head: DQuat| {
+            let [yaw, pitch] = self.yaw_pitch(head * self.forward);
+            let rolled = self.head(yaw, pitch, 0.0).conjugate() * head;
+            let roll = wrapped(2.0 * rolled.xyz().dot(self.forward).atan2(rolled.w));
+            if roll.abs() <= FRAC_PI_2 {
+                return [yaw, pitch, roll];
+            }
+            [wrapped(yaw + PI), past_the_pole(pitch), wrapped(roll + PI)]
+        };
+        let state = self.column.recover_as(locals, |head| self.bend(head, angles(head)[0]))?;
+        let [yaw, pitch, roll] = angles(locals.iter().fold(DQuat::IDENTITY, |turn, l| turn * l.normalize()));
         Ok(GazeState { yaw, pitch, roll, residues: state.residues })
     }
 
@@ -126,7 +138,8 @@ impl<const N: usize> Gaze<N> {
     /// Newton steps follow a closed-form start: at most [`AIM_STEPS`](crate::AIM_STEPS). A target inside the
     /// sphere that the eye point sweeps may have no answer; the nearest found comes with the angle that is
     /// missing. Ranges are the caller's: clamp the joints of [`Gaze::pose`], then let each [`Eye`] take the rest.
-    /// Straight up and down the yaw is free, so a target that passes overhead spins the head.
+    /// Straight up and down the yaw is free: a target that passes overhead within 20 degrees of the pole is
+    /// followed over it by a nod, one beyond by turning round.
     ///
     /// # Errors
     /// A target at the eye point, numbers that are not finite.
@@ -141,15 +154,18 @@ impl<const N: usize> Gaze<N> {
         };
         let now = DVec2::new(present.yaw, present.pitch);
         let seen = sight(now).ok_or(AimError::NoAim)?;
-        let hold = |at: DVec2| DVec2::new(at.x, at.y.clamp(-FRAC_PI_2, FRAC_PI_2));
-        let start = if seen.off() > AIM_TOLERANCE_RAD {
-            let [yaw, pitch] = self.yaw_pitch(seen.goal);
-            DVec2::new(present.yaw + wrapped(yaw - present.yaw), pitch)
+        let furthest = present.pitch.abs().max(1.5 * FRAC_PI_2);
+        let hold = |at: DVec2| DVec2::new(at.x, at.y.clamp(-furthest, furthest));
+        let starts = if seen.off() > AIM_TOLERANCE_RAD {
+            let first = self.toward(seen.goal, present.yaw);
+            let second = sight(first).map_or(now, |s| self.toward(s.goal, first.x));
+            // The same line of sight from the other side of the pole.
+            [first, second, DVec2::new(second.x + PI, past_the_pole(second.y))]
         } else {
-            now
+            [now; 3]
         };
-        let found = aim(start, hold, sight).or_else(|| aim(now, hold, sight)).ok_or(AimError::NoAim)?;
-        let state = GazeState { yaw: wrapped(found.at.x), pitch: found.at.y, ..*present };
+        let found = best_of(starts, |start| aim(hold(start), hold, sight)).ok_or(AimError::NoAim)?;
+        let state = GazeState { yaw: found.at.x, pitch: found.at.y, ..*present };
         Ok(GazeSolution { state, residual_rad: found.off, steps: found.steps })
     }
 
@@ -160,11 +176,32 @@ impl<const N: usize> Gaze<N> {
             * DQuat::from_axis_angle(self.forward, roll)
     }
 
+    /// The even bend of that turn, its twist the one nearest to the yaw, so that it does not flip behind.
+    fn bend(&self, head: DQuat, yaw: f64) -> Bend {
+        let bend = self.column.bend_of(head);
+        Bend { twist: yaw + wrapped(bend.twist - yaw), ..bend }
+    }
+
+    /// Yaw and pitch of a line of sight, the yaw near the present one.
+    fn toward(&self, along: DVec3, present_yaw: f64) -> DVec2 {
+        let [yaw, pitch] = self.yaw_pitch(along);
+        let (turn, over) = (wrapped(yaw - present_yaw), past_the_pole(pitch));
+        if turn.abs() > FRAC_PI_2 && over.abs() < FRAC_PI_2 + OVER_THE_POLE_RAD {
+            return DVec2::new(present_yaw + wrapped(turn + PI), over);
+        }
+        DVec2::new(present_yaw + turn, pitch)
+    }
+
     /// Yaw and pitch of a line of sight.
     fn yaw_pitch(&self, along: DVec3) -> [f64; 2] {
         let (left, up, ahead) = (along.dot(self.left), along.dot(self.up), along.dot(self.forward));
         [left.atan2(ahead), (-up).atan2(left.hypot(ahead))]
     }
+}
+
+/// The pitch of the same line of sight for a head that faces the other way.
+fn past_the_pole(pitch: f64) -> f64 {
+    PI.copysign(pitch) - pitch
 }
 
 /// Unit direction to a point; `None` for one that is too near to have any.

@@ -73,6 +73,22 @@ impl Limb {
         Ok(Reach { state: found, span: direct.span, residual, limited: direct.limited })
     }
 
+    /// As [`Limb::reach_within`], but `None` where no elevation in the window is feasible: nothing is searched.
+    ///
+    /// # Errors
+    /// As [`Limb::solve`].
+    pub fn hold_within(
+        &self,
+        in_hinge: DVec3,
+        goal: &LimbGoal,
+        from: &LimbState,
+        ranges: &LimbRanges,
+        window: f64,
+    ) -> Result<Option<LimbState>, Degenerate> {
+        let quest = Quest { limb: self, in_hinge, goal, from, ranges: ranges.reaching(from), window };
+        Ok(quest.held(goal.target)?.state)
+    }
+
     /// The hinge angle, or the end of its range whose distance comes nearer.
     fn stopped(&self, in_hinge: DVec3, angle: f64, distance: f64, range: Interval) -> f64 {
         if range.contains(angle) {

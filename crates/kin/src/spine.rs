@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::aim::{AIM_TOLERANCE_RAD, AimError, Aimed, Sight, aim};
+use crate::aim::{AIM_TOLERANCE_RAD, AimError, Aimed, Sight, aim, best_of};
 use crate::ball::{rotation_vector, swing_twist};
 use crate::carrier::arc;
 use crate::limb::usable;
@@ -155,6 +155,15 @@ impl<const N: usize> Column<N> {
     /// # Errors
     /// Turns that are not finite or have no length.
     pub fn recover(&self, locals: &[DQuat; N]) -> Result<ColumnState<N>, AimError> {
+        self.recover_as(locals, |turn| self.bend_of(turn))
+    }
+
+    /// [`Column::recover`] with a bend of the caller's choice for the last segment's turn.
+    pub(crate) fn recover_as(
+        &self,
+        locals: &[DQuat; N],
+        bend_of: impl Fn(DQuat) -> Bend,
+    ) -> Result<ColumnState<N>, AimError> {
         let mut turn = DQuat::IDENTITY;
         let mut turns = [DQuat::IDENTITY; N];
         for (out, local) in turns.iter_mut().zip(locals) {
@@ -165,7 +174,7 @@ impl<const N: usize> Column<N> {
             turn *= unit;
             *out = turn;
         }
-        let bend = self.bend_of(turn);
+        let bend = bend_of(turn);
         let even = self.even(bend);
         Ok(ColumnState { bend, residues: std::array::from_fn(|i| even[i].conjugate() * turns[i]) })
     }
@@ -246,22 +255,6 @@ impl<const N: usize> Column<N> {
         let turn = rotation_vector(arc(from, to)) * share;
         DVec2::new(turn.dot(basis[0]), turn.dot(basis[1]))
     }
-}
-
-/// The first start that reaches, else the best; all but the first count only for poses so wrung that it
-/// ends in a blind alley.
-fn best_of(starts: [DVec2; 3], from: impl Fn(DVec2) -> Option<Aimed>) -> Option<Aimed> {
-    let mut best: Option<Aimed> = None;
-    for start in starts {
-        let Some(found) = from(start) else { continue };
-        if best.is_none_or(|best| found.off < best.off - 1e-3) {
-            best = Some(found);
-        }
-        if best.is_some_and(|best| best.off <= AIM_TOLERANCE_RAD) {
-            break;
-        }
-    }
-    best
 }
 
 /// Slides a bend at its rim to the place nearest to the goal; one that reaches, or is not at the rim, stays.

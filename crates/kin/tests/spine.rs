@@ -11,13 +11,13 @@ mod seeded;
 
 /// Three equal segments straight up.
 fn straight() -> Column<3> {
-    Column::new([DVec3::Y * 0.15; 3]).unwrap()
+    Column::new([DVec3::Y * 0.15; 3]).expect("a chord")
 }
 
 /// Segments of any length and lean: a spine at rest with lordosis, kyphosis and a tilt.
 fn awkward(s: &mut Seeded) -> Column<3> {
     let segment = |_| DVec3::new(s.between(-0.03, 0.03), s.between(0.05, 0.25), s.between(-0.08, 0.08));
-    Column::new(std::array::from_fn(segment)).unwrap()
+    Column::new(std::array::from_fn(segment)).expect("a chord")
 }
 
 /// A direction at an angle from the twist axis.
@@ -60,13 +60,13 @@ fn top(segments: &[DVec3], locals: &[DQuat]) -> DVec3 {
 }
 
 fn closed_form<const N: usize>(share: f64) {
-    let column = Column::new([DVec3::Y * 0.2; N]).unwrap();
+    let column = Column::new([DVec3::Y * 0.2; N]).expect("a chord");
     let mut s = Seeded(N as u64);
     for _ in 0..2_000 {
         let lean = s.between(0.0, 1.0_f64.min(PI / share));
         let way = s.between(-PI, PI);
         let aim = DVec3::new(lean.sin() * way.cos(), lean.cos(), lean.sin() * way.sin());
-        let solved = column.solve(&ColumnState::REST, aim * 3.0, s.between(-3.0, 3.0)).unwrap();
+        let solved = column.solve(&ColumnState::REST, aim * 3.0, s.between(-3.0, 3.0)).expect("an answer");
         assert!(solved.reached() && solved.steps == 0, "{solved:?}");
         assert!((solved.state.bend.swing.length() - share * lean).abs() < 1e-12);
         assert!(angle(top(&[DVec3::Y * 0.2; N], &column.pose(&solved.state)), aim) < 1e-12);

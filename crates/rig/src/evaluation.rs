@@ -1,8 +1,10 @@
 //! What a pose comes to: every joint in the world, every limb's contact and inverse parameters.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
+use kin::{Frame, Link};
 
-use crate::{Frames, Limb};
+use crate::limb_rig::LimbRig;
+use crate::{Bone, Contact, Figure, Frames, Limb, Place, Pose, Space};
 
 /// Derived from figure and pose, never stored.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,4 +35,95 @@ pub struct LimbView {
     pub elevation_range: Option<[f64; 2]>,
     /// +1 or -1: which solution of the hinge.
     pub branch: i8,
+}
+
+/// Works out everything that a pose comes to; with `ranges` off, elevations are free.
+pub fn evaluate(figure: &Figure, pose: &Pose, ranges: bool) -> Evaluation {
+    let frames = frames(figure, pose);
+    let limbs = Limb::ALL.map(|limb| view(figure, pose, &frames, limb, ranges));
+    Evaluation { center_of_mass: center_of_mass(figure, &frames), frames, limbs }
+}
+
+/// `world_from_joint` of every bone.
+pub fn frames(figure: &Figure, pose: &Pose) -> Frames {
+    let links = Bone::ALL.iter().map(|&bone| match figure.skeleton.joint(bone) {
+        Some(joint) => Link {
+            carrier: joint.carrier.map(Bone::index),
+            offset: if bone == Bone::Hips { pose.hips } else { joint.offset },
+            rotation: joint.rotation(pose.angles(bone)),
+        },
+        None => Link { carrier: Some(bone.carrier().index()), offset: DVec3::ZERO, rotation: DQuat::IDENTITY },
+    });
+    let mut out = [Frame::IDENTITY; Bone::COUNT];
+    let written = kin::fk(pose.place.world_from_figure(), links, &mut out);
+    debug_assert_eq!(written, Ok(Bone::COUNT), "bones are in carrier order");
+    Frames(out)
+}
+
+impl Place {
+    /// The frame of the placed figure in the world.
+    pub fn world_from_figure(&self) -> Frame {
+        Frame::new(DQuat::from_rotation_y(self.turn.to_radians()), self.position)
+    }
+}
+
+impl Frames {
+    /// The frame of a space in the world.
+    pub fn space(&self, space: Space) -> Frame {
+        match space {
+            Space::World => Frame::IDENTITY,
+            Space::Body(bone) => self[bone],
+        }
+    }
+}
+
+/// The mean of the segments' centres by mass; the hips if the figure has no mass.
+pub fn center_of_mass(figure: &Figure, frames: &Frames) -> DVec3 {
+    let (mut mass, mut moment) = (0.0, DVec3::ZERO);
+    for joint in figure.skeleton.joints() {
+        mass += joint.mass;
+        moment += frames[joint.bone].point(joint.center_of_mass) * joint.mass;
+    }
+    if mass > 0.0 { moment / mass } else { frames[Bone::Hips].position }
+}
+
+fn view(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb, ranges: bool) -> LimbView {
+    let at = figure.articulator(pose, limb);
+    let articulator = frames[at.bone].point(at.at);
+    let contact = pose.limb(limb).contact;
+    let target = contact.target().map_or(articulator, |(space, point)| frames.space(space).point(point));
+    let rotation_residual = match contact {
+        Contact::Planted { space, rotation, .. } => {
+            angle_between(frames[limb.parts().end].rotation, frames.space(space).rotation * rotation).to_degrees()
+        }
+        _ => 0.0,
+    };
+    let empty = LimbView {
+        articulator,
+        target,
+        residual: articulator.distance(target),
+        rotation_residual,
+        elevation: None,
+        elevation_range: None,
+        branch: 1,
+    };
+    let Some(rig) = LimbRig::new(figure, limb) else { return empty };
+    let about = rig.about(figure, pose);
+    let state = rig.state(figure, pose);
+    let branch = rig.kin.branch(about, state.hinge).sign() as i8;
+    match rig.kin.recover(about, &state) {
+        Ok(goal) => LimbView {
+            elevation: Some(rig.reported(goal.elevation)),
+            elevation_range: rig.reported_range(about, &state, &goal, ranges),
+            branch,
+            ..empty
+        },
+        Err(_) => LimbView { branch, ..empty },
+    }
+}
+
+/// The angle of the turn between two rotations, radians, accurate at 0.
+pub(crate) fn angle_between(a: DQuat, b: DQuat) -> f64 {
+    let d = a.conjugate() * b;
+    2.0 * DVec3::new(d.x, d.y, d.z).length().atan2(d.w.abs())
 }

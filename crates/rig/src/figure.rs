@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use crate::{Angles, Bone, Limb, Mesh, Skeleton};
+use crate::{Angles, Bone, Limb, Mesh, Pose, Reacher, Skeleton};
 
 /// A point that can reach: fixed in the joint frame of a bone.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,4 +34,20 @@ pub struct Figure {
     pub swing_bases: [DVec3; Limb::ALL.len()],
     /// The skin, if the figure has one.
     pub skin: Option<Mesh>,
+}
+
+impl Figure {
+    /// The pose at rest: every angle 0, every limb free.
+    pub fn rest_pose(&self) -> Pose {
+        Pose::rest(self.skeleton.rest_position(Bone::Hips))
+    }
+
+    /// The point of a limb that reaches in a pose; the end's joint if the figure lacks the name.
+    pub fn articulator(&self, pose: &Pose, limb: Limb) -> Articulator {
+        let end = Articulator { bone: limb.parts().end, at: DVec3::ZERO };
+        match &pose.limb(limb).reacher {
+            Reacher::Named(name) => self.articulators[limb.index()].get(name).copied().unwrap_or(end),
+            Reacher::Point(bone, at) => Articulator { bone: *bone, at: *at },
+        }
+    }
 }

@@ -128,6 +128,14 @@ impl Joint {
         }
     }
 
+    /// The direction of a ball joint's bone at rest: along its twist axis, to the side on which its cone
+    /// lies. `None` for joints of hinges.
+    pub fn bone_direction(&self) -> Option<DVec3> {
+        let Articulation::Ball { ball, cone, .. } = &self.articulation else { return None };
+        let against = cone.is_some_and(|c| c.axis.dot(ball.twist) < 0.0);
+        Some(if against { -ball.twist } else { ball.twist })
+    }
+
     /// The rotation of those angles, from the joint's frame to its carrier's.
     pub fn rotation(&self, angles: Angles) -> DQuat {
         match &self.articulation {

@@ -1,26 +1,55 @@
 //! A posable figure: skeleton, pose, contacts, controls, skin palette and their files.
 
+mod balance;
+mod blend;
 mod bone;
 mod bounds;
 mod camera;
+mod contacts;
+mod end;
+mod evaluation;
 mod figure;
 mod frames;
+mod gesture;
+mod gesture_error;
 mod joint;
 mod limb;
+mod limb_rig;
 mod mesh;
 mod pose;
+mod pose_file;
+mod reach;
 mod skeleton;
 mod skin;
+mod torso;
+mod turn;
+mod turn_in_contact;
 
+pub use balance::balance;
+pub use blend::{
+    PosePatch, apply_patch, handshape, mirror, mirrored_patch, mirrored_pose, reset,
+};
 pub use bone::{Bone, Part, Side, nearest};
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Ray, View};
+pub use contacts::contact_order;
+pub use evaluation::{Evaluation, LimbView, center_of_mass, evaluate, frames};
 pub use figure::{Articulator, Figure, Handshape};
 pub use frames::Frames;
+pub use gesture::{
+    Target, articulate, articulator_in, check_reacher, elevate, flip, keep, move_hips, place, reach,
+};
+pub use gesture_error::GestureError;
 pub use joint::{Angles, Articulation, Dof, Hinge, Joint};
 pub use kin::Frame;
 pub use limb::{Limb, LimbParts};
 pub use mesh::Mesh;
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
+pub use pose_file::{
+    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_pose,
+};
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{PALETTE_LEN, Palette, SkinBounds, skin_normals, skin_positions};
+pub use torso::{aim_spine, look_at};
+pub use turn::{Moved, Slider, live_range, sliders, turn};
+pub use turn_in_contact::{contact_joint, turn_in_contact};

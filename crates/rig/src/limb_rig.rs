@@ -1,0 +1,201 @@
+//! A figure's limb in the frame of the closed form: axes, mirror, ranges, and the way back to angles.
+
+use glam::{DMat3, DQuat, DVec3};
+use kin::{Carrier, Cone, Interval, LimbGoal, LimbRanges, LimbState, RootRange, wrapped};
+
+use crate::{Articulation, Bone, Contact, Dof, Figure, Joint, Limb, Pose};
+
+/// One limb of a figure, ready to solve. Lengths and angles are those of the limb frame: x outward.
+///
+/// A right limb is solved as the left limb of the figure's mirror image.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LimbRig {
+    pub limb: Limb,
+    pub kin: kin::Limb,
+    pub ranges: LimbRanges,
+    /// What carries the root joint.
+    pub base: Bone,
+    root_offset: DVec3,
+    base_from_limb: DQuat,
+    mirrored: bool,
+}
+
+impl LimbRig {
+    /// `None` if the figure lacks a joint of the limb, or its rest pose leaves the limb no plane to bend in.
+    pub fn new(figure: &Figure, limb: Limb) -> Option<LimbRig> {
+        let parts = limb.parts();
+        let skeleton = &figure.skeleton;
+        let (root, hinge) = (skeleton.joint(parts.root)?, skeleton.joint(parts.hinge)?);
+        let mut rig = LimbRig {
+            limb,
+            kin: kin::Limb::straight(1.0, Carrier::Spherical).ok()?,
+            ranges: LimbRanges::FREE,
+            base: root.carrier?,
+            root_offset: root.offset,
+            base_from_limb: axes(limb),
+            mirrored: limb.side() == crate::Side::Right,
+        };
+        let flexion = flexion(hinge)?;
+        let base = rig.point_in_limb(figure.swing_bases[limb.index()]);
+        let axis = rig.axis_in_limb(flexion.axis);
+        rig.kin = kin::Limb::new(rig.point_in_limb(hinge.offset), axis, Carrier::Swing { base }).ok()?;
+        rig.ranges = LimbRanges { root: rig.root_range(root)?, hinge: radians(flexion.range) };
+        Some(rig)
+    }
+
+    fn root_range(&self, root: &Joint) -> Option<RootRange> {
+        let Articulation::Ball { ball, ranges, cone } = &root.articulation else { return None };
+        let cone = cone.map_or(Cone::FREE, |c| Cone { axis: self.point_in_limb(c.axis), ..c });
+        Some(RootRange {
+            cone,
+            bone: self.point_in_limb(root.bone_direction()?),
+            twist_axis: self.axis_in_limb(ball.twist),
+            twist: radians(ranges[Dof::Twist as usize]),
+        })
+    }
+
+    /// A direction or difference of points: base axes to limb axes.
+    fn point_in_limb(&self, v: DVec3) -> DVec3 {
+        let v = if self.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v };
+        self.base_from_limb.conjugate() * v
+    }
+
+    /// An axis of rotation: a mirror turns its sense round.
+    fn axis_in_limb(&self, v: DVec3) -> DVec3 {
+        let v = if self.mirrored { DVec3::new(v.x, -v.y, -v.z) } else { v };
+        self.base_from_limb.conjugate() * v
+    }
+
+    /// A point of the base's joint frame in the limb frame.
+    pub fn target_in_limb(&self, point_in_base: DVec3) -> DVec3 {
+        self.point_in_limb(point_in_base - self.root_offset)
+    }
+
+    /// A point of the limb frame in the base's joint frame.
+    pub fn point_in_base(&self, point: DVec3) -> DVec3 {
+        let v = self.base_from_limb * point;
+        self.root_offset + if self.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v }
+    }
+
+    fn rotation_in_limb(&self, q: DQuat) -> DQuat {
+        self.base_from_limb.conjugate() * mirrored_if(self.mirrored, q) * self.base_from_limb
+    }
+
+    fn rotation_in_base(&self, q: DQuat) -> DQuat {
+        mirrored_if(self.mirrored, self.base_from_limb * q * self.base_from_limb.conjugate())
+    }
+
+    /// The limb's joints, read off a pose.
+    pub fn state(&self, figure: &Figure, pose: &Pose) -> LimbState {
+        let parts = self.limb.parts();
+        let root = figure.skeleton.joint(parts.root).map_or(DQuat::IDENTITY, |j| j.rotation(pose.angles(parts.root)));
+        LimbState { root: self.rotation_in_limb(root), hinge: pose.angles(parts.hinge).flexion.to_radians() }
+    }
+
+    /// Writes the limb's joints into a pose: root and hinge, nothing else. An angle that comes out as it
+    /// was, give or take the rounding, keeps its bits.
+    pub fn write(&self, figure: &Figure, pose: &mut Pose, state: &LimbState) {
+        let parts = self.limb.parts();
+        if let Some(Articulation::Ball { ball, .. }) = figure.skeleton.joint(parts.root).map(|j| &j.articulation) {
+            let angles = ball.angles(self.rotation_in_base(state.root));
+            for (dof, angle) in Dof::ALL.into_iter().zip(angles) {
+                set(pose, parts.root, dof, angle.to_degrees());
+            }
+        }
+        set(pose, parts.hinge, Dof::Flexion, state.hinge.to_degrees());
+    }
+
+    /// A point of a bone of the limb, at or beyond the hinge, in the hinge's frame and limb axes.
+    pub fn in_hinge(&self, figure: &Figure, pose: &Pose, bone: Bone, at: DVec3) -> DVec3 {
+        let hinge = self.limb.parts().hinge;
+        let (mut bone, mut point) = (bone, at);
+        while bone != hinge {
+            if let Some(joint) = figure.skeleton.joint(bone) {
+                point = joint.offset + joint.rotation(pose.angles(bone)) * point;
+            }
+            bone = bone.carrier();
+        }
+        self.point_in_limb(beyond_hinge(figure, pose, hinge) * point)
+    }
+
+    /// The point about which the limb elevates: its articulator, or the end's joint where the end is
+    /// planted and carries the articulator.
+    pub fn about(&self, figure: &Figure, pose: &Pose) -> DVec3 {
+        let parts = self.limb.parts();
+        let at = figure.articulator(pose, self.limb);
+        let planted = matches!(pose.limb(self.limb).contact, Contact::Planted { .. });
+        if planted && at.bone != parts.hinge {
+            self.in_hinge(figure, pose, parts.end, DVec3::ZERO)
+        } else {
+            self.in_hinge(figure, pose, at.bone, at.at)
+        }
+    }
+
+    /// The elevation as reported, degrees: for arms 0 with the elbow lowest, for legs 0 with the knee
+    /// foremost; + moves the hinge outward.
+    pub fn reported(&self, elevation: f64) -> f64 {
+        let turned = if self.limb.is_arm() { elevation - std::f64::consts::PI } else { -elevation };
+        wrapped(turned).to_degrees()
+    }
+
+    /// The elevation of a reported one, radians.
+    pub fn internal(&self, degrees: f64) -> f64 {
+        let angle = degrees.to_radians();
+        if self.limb.is_arm() { wrapped(angle + std::f64::consts::PI) } else { wrapped(-angle) }
+    }
+
+    /// The feasible interval around the present elevation, as reported.
+    pub fn reported_range(&self, about: DVec3, state: &LimbState, goal: &LimbGoal, ranges: bool) -> Option<[f64; 2]> {
+        let full = Some([-180.0, 180.0]);
+        if !ranges {
+            return full;
+        }
+        let direction = goal.target.try_normalize()?;
+        let around = self.kin.elevations(about, state.hinge, direction, &self.ranges.root).around(goal.elevation)?;
+        if around.1 - around.0 >= std::f64::consts::TAU - 1e-12 {
+            return full;
+        }
+        let (below, above) = ((around.0 - goal.elevation).to_degrees(), (around.1 - goal.elevation).to_degrees());
+        let now = self.reported(goal.elevation);
+        Some(if self.limb.is_arm() { [now + below, now + above] } else { [now - above, now - below] })
+    }
+}
+
+/// The turn of the hinge's bone apart from the hinge itself: the forearm's twist.
+pub(crate) fn beyond_hinge(figure: &Figure, pose: &Pose, hinge: Bone) -> DQuat {
+    let straight = crate::Angles { flexion: 0.0, ..pose.angles(hinge) };
+    figure.skeleton.joint(hinge).map_or(DQuat::IDENTITY, |j| j.rotation(straight))
+}
+
+/// Sets an angle in degrees unless it differs from what is there by less than the rounding of a solve.
+pub(crate) fn set(pose: &mut Pose, bone: Bone, dof: Dof, degrees: f64) {
+    if (pose.angles(bone).get(dof) - degrees).abs() > 1e-12 {
+        pose.angles[bone.index()].set(dof, degrees);
+    }
+}
+
+pub(crate) fn radians(degrees: Interval) -> Interval {
+    Interval { min: degrees.min.to_radians(), max: degrees.max.to_radians() }
+}
+
+/// The hinge of flexion among a joint's hinges.
+fn flexion(joint: &Joint) -> Option<&crate::Hinge> {
+    match &joint.articulation {
+        Articulation::Hinges(hinges) => hinges.iter().find(|h| h.dof == Dof::Flexion),
+        Articulation::Ball { .. } => None,
+    }
+}
+
+/// Limb axes of the left side in base axes: arm x outward, y forward, z down; leg x outward, y down, z back.
+fn axes(limb: Limb) -> DQuat {
+    let columns = if limb.is_arm() {
+        DMat3::from_cols(DVec3::X, DVec3::Z, -DVec3::Y)
+    } else {
+        DMat3::from_cols(DVec3::X, -DVec3::Y, -DVec3::Z)
+    };
+    DQuat::from_mat3(&columns)
+}
+
+fn mirrored_if(mirrored: bool, q: DQuat) -> DQuat {
+    if mirrored { DQuat::from_xyzw(q.x, -q.y, -q.z, q.w) } else { q }
+}

@@ -1,0 +1,256 @@
+//! Inverse gestures on one limb: reach, elevate, flip, and following its contact.
+
+use std::f64::consts::FRAC_PI_6;
+
+use glam::{DQuat, DVec3};
+use kin::{Degenerate, LimbGoal, LimbRanges, LimbState, wrapped};
+
+use crate::end::turn_end;
+use crate::limb_rig::LimbRig;
+use crate::{Angles, Bone, Contact, Figure, Frames, GestureError, Limb, Pose};
+
+/// How far a reach may change the elevation to stay inside the ranges, radians.
+const WINDOW: f64 = FRAC_PI_6;
+
+/// A limb of a pose and what an inverse gesture keeps of it, read when the gesture begins.
+pub(crate) struct Grip<'a> {
+    pub figure: &'a Figure,
+    pub rig: LimbRig,
+    /// The pose at the gesture's start: what ranges stretch to hold.
+    pub before: &'a Pose,
+    pub from: LimbState,
+    pub kept: LimbGoal,
+    pub ranges: bool,
+    /// Whether the elevation must stay as it is, even if a range then leaves the target missed.
+    strict: bool,
+}
+
+impl<'a> Grip<'a> {
+    pub fn new(figure: &'a Figure, before: &'a Pose, limb: Limb, ranges: bool) -> Result<Grip<'a>, GestureError> {
+        let rig = LimbRig::new(figure, limb).ok_or(GestureError::NoLimb(limb))?;
+        let about = rig.about(figure, before);
+        Grip::about(figure, before, rig, about, ranges)
+    }
+
+    /// The grip whose elevation is about the articulator's line even if the end is planted.
+    pub fn about_articulator(
+        figure: &'a Figure,
+        before: &'a Pose,
+        limb: Limb,
+        ranges: bool,
+    ) -> Result<Grip<'a>, GestureError> {
+        let rig = LimbRig::new(figure, limb).ok_or(GestureError::NoLimb(limb))?;
+        let at = figure.articulator(before, limb);
+        let about = rig.in_hinge(figure, before, at.bone, at.at);
+        Grip::about(figure, before, rig, about, ranges)
+    }
+
+    fn about(
+        figure: &'a Figure,
+        before: &'a Pose,
+        rig: LimbRig,
+        about: DVec3,
+        ranges: bool,
+    ) -> Result<Grip<'a>, GestureError> {
+        let from = rig.state(figure, before);
+        let fault = |why| GestureError::Degenerate { limb: rig.limb, why };
+        let kept = rig.kin.recover(about, &from).map_err(fault)?;
+        Ok(Grip { figure, rig, before, from, kept, ranges, strict: false })
+    }
+
+    fn limits(&self) -> LimbRanges {
+        if self.ranges { self.rig.ranges } else { LimbRanges::FREE }
+    }
+
+    /// Brings a point of the limb to a world target; `frames` are the pose's for the limb's base.
+    pub fn bring(
+        &self,
+        pose: &mut Pose,
+        frames: &Frames,
+        in_hinge: DVec3,
+        target_in_world: DVec3,
+        kept: &LimbGoal,
+    ) -> Result<bool, GestureError> {
+        let limb = self.rig.limb;
+        let target = self.rig.target_in_limb(frames[self.rig.base].inverse().point(target_in_world));
+        let goal = LimbGoal { target, ..*kept };
+        let fault = |why| GestureError::Degenerate { limb, why };
+        if self.strict {
+            let held = self.rig.kin.hold_within(in_hinge, &goal, &self.from, &self.limits(), 1e-9).map_err(fault)?;
+            if let Some(state) = held {
+                self.rig.write(self.figure, pose, &state);
+            }
+            return Ok(held.is_none());
+        }
+        let solve = |goal| self.rig.kin.reach_within(in_hinge, goal, &self.from, &self.limits(), WINDOW);
+        let reach = match solve(&goal) {
+            // At the root there is no direction: fold along the present one.
+            Err(Degenerate::TargetAtRoot) => solve(&LimbGoal { target: kept.target.normalize_or(DVec3::Y) * 1e-9, ..goal }),
+            other => other,
+        };
+        let reach = reach.map_err(fault)?;
+        self.rig.write(self.figure, pose, &reach.state);
+        Ok(reach.limited)
+    }
+
+    /// Brings the limb to the target of a contact: the pose's root, hinge and, if planted, end.
+    pub fn follow(&self, pose: &mut Pose, frames: &Frames, contact: &Contact) -> Result<bool, GestureError> {
+        match *contact {
+            Contact::Free => Ok(false),
+            Contact::Point { space, target } => {
+                let at = self.figure.articulator(pose, self.rig.limb);
+                let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
+                self.bring(pose, frames, in_hinge, frames.space(space).point(target), &self.kept)
+            }
+            Contact::Planted { space, target, rotation } => {
+                let space = frames.space(space);
+                self.plant(pose, frames, space.point(target), space.rotation * rotation)
+            }
+        }
+    }
+
+    /// As [`Grip::follow`] with the elevation kept: where a range is in the way, the limb stays as it is.
+    pub fn follow_strictly(&self, pose: &mut Pose, frames: &Frames, contact: &Contact) -> Result<bool, GestureError> {
+        Grip { strict: true, ..*self }.follow(pose, frames, contact)
+    }
+
+    /// Brings the end's joint to where the articulator is on its target with the end's rotation kept. Where
+    /// wrist or ankle can't keep the rotation, or the limb can't reach, the articulator's place wins.
+    fn plant(&self, pose: &mut Pose, frames: &Frames, target: DVec3, rotation: DQuat) -> Result<bool, GestureError> {
+        let limb = self.rig.limb;
+        let end = limb.parts().end;
+        let at = self.figure.articulator(pose, limb);
+        if at.bone == limb.parts().hinge {
+            return self.plant_segment(pose, frames, target, rotation);
+        }
+        let in_end = self.in_end(pose, at.bone, at.at);
+        let joint_target = target - rotation * in_end;
+        let mut limited = false;
+        let mut stopped = false;
+        // The second round matters only where the forearm's twist moves the wrist: a twist axis beside it.
+        for _ in 0..2 {
+            let joint = self.rig.in_hinge(self.figure, pose, end, DVec3::ZERO);
+            limited = self.bring(pose, frames, joint, joint_target, &self.kept)?;
+            stopped = self.turn(pose, frames, rotation);
+        }
+        if !stopped && self.place(pose, frames, at.bone, at.at).distance(target) <= 1e-9 {
+            return Ok(limited);
+        }
+        for round in 0..PLANT_ROUNDS {
+            if round > 0 {
+                self.turn(pose, frames, rotation);
+            }
+            let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
+            let kept = self.rig.kin.recover(in_hinge, &self.rig.state(self.figure, pose));
+            let kept = kept.map_err(|why| GestureError::Degenerate { limb, why })?;
+            self.bring(pose, frames, in_hinge, target, &kept)?;
+        }
+        Ok(true)
+    }
+
+    /// As [`Grip::plant`] for a point of the lower segment, which the end's rotation does not move.
+    fn plant_segment(&self, pose: &mut Pose, frames: &Frames, target: DVec3, rotation: DQuat) -> Result<bool, GestureError> {
+        let at = self.figure.articulator(pose, self.rig.limb);
+        let mut limited = false;
+        // The forearm's twist moves a point on its skin: turn, then bring the point back.
+        for _ in 0..2 {
+            let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
+            limited = self.bring(pose, frames, in_hinge, target, &self.kept)?;
+            limited |= self.turn(pose, frames, rotation);
+        }
+        let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
+        Ok(self.bring(pose, frames, in_hinge, target, &self.kept)? || limited)
+    }
+
+    /// Turns the end toward a world rotation as far as it goes.
+    fn turn(&self, pose: &mut Pose, frames: &Frames, rotation: DQuat) -> bool {
+        let bent = frames[self.rig.base].rotation * self.base_from_bent_hinge(pose);
+        turn_end(self.figure, pose, self.rig.limb, bent.conjugate() * rotation, self.before, self.ranges)
+    }
+
+    fn base_from_bent_hinge(&self, pose: &Pose) -> DQuat {
+        let parts = self.rig.limb.parts();
+        let rotation = |bone, angles| self.figure.skeleton.joint(bone).map_or(DQuat::IDENTITY, |j| j.rotation(angles));
+        let bent = Angles { flexion: pose.angles(parts.hinge).flexion, ..Angles::REST };
+        rotation(parts.root, pose.angles(parts.root)) * rotation(parts.hinge, bent)
+    }
+
+    /// A point of a bone at or beyond the end, in the end's frame.
+    fn in_end(&self, pose: &Pose, bone: Bone, at: DVec3) -> DVec3 {
+        let end = self.rig.limb.parts().end;
+        let (mut bone, mut point) = (bone, at);
+        while bone != end {
+            if let Some(joint) = self.figure.skeleton.joint(bone) {
+                point = joint.offset + joint.rotation(pose.angles(bone)) * point;
+            }
+            bone = bone.carrier();
+        }
+        point
+    }
+
+    /// Where a point of the limb is in the world, the base's frame being given.
+    fn place(&self, pose: &Pose, frames: &Frames, bone: Bone, at: DVec3) -> DVec3 {
+        let in_hinge = self.rig.in_hinge(self.figure, pose, bone, at);
+        let in_limb = self.rig.kin.articulator(&self.rig.state(self.figure, pose), in_hinge);
+        frames[self.rig.base].point(self.rig.point_in_base(in_limb))
+    }
+
+    /// Swings the hinge about the line from root to articulator, or to a planted end's joint.
+    ///
+    /// `to` is the goal as an internal elevation; `by` a signed change. Returns whether a range stopped it.
+    pub fn elevate(&self, pose: &mut Pose, goal: Elevate) -> bool {
+        let about = self.rig.about(self.figure, self.before);
+        let now = self.kept.elevation;
+        let direction = self.kept.target.normalize_or(DVec3::Y);
+        let limits = self.limits().reaching(&self.from);
+        let around = self.rig.kin.elevations(about, self.from.hinge, direction, &limits.root).around(now);
+        let (low, high) = around.unwrap_or((now, now));
+        let whole = high - low >= std::f64::consts::TAU - 1e-12;
+        let wanted = match goal {
+            Elevate::By(change) => now + change,
+            Elevate::To(elevation) => now + wrapped(elevation - now),
+        };
+        let held = match goal {
+            _ if whole || (low <= wanted && wanted <= high) => wanted,
+            Elevate::By(_) => wanted.clamp(low, high),
+            Elevate::To(_) => nearest_on_arc(wanted, low, high),
+        };
+        let root = self.rig.kin.root_for(about, self.from.hinge, direction, held);
+        self.rig.write(self.figure, pose, &LimbState { root, ..self.from });
+        (wrapped(held - wanted)).abs() > 1e-9
+    }
+
+    /// Takes the other bend of the hinge for the same place.
+    pub fn flip(&self, pose: &mut Pose) -> Result<bool, GestureError> {
+        let limb = self.rig.limb;
+        let about = self.rig.about(self.figure, self.before);
+        let goal = LimbGoal { branch: self.kept.branch.flipped(), ..self.kept };
+        let fault = |why| GestureError::Degenerate { limb, why };
+        let other = self.rig.kin.hinge_for(about, goal.target.length(), goal.branch).map_err(fault)?;
+        if self.limits().hinge.excess(other.angle) > 1e-9 {
+            return Err(GestureError::NoFlip { limb, degrees: other.angle.to_degrees() });
+        }
+        let reach = self.rig.kin.reach_within(about, &goal, &self.from, &self.limits(), WINDOW).map_err(fault)?;
+        self.rig.write(self.figure, pose, &reach.state);
+        Ok(reach.limited)
+    }
+}
+
+/// Rounds in which a planted end that can't keep its rotation settles between rotation and place.
+const PLANT_ROUNDS: usize = 3;
+
+/// The goal of an elevation, radians.
+#[derive(Clone, Copy)]
+pub(crate) enum Elevate {
+    By(f64),
+    To(f64),
+}
+
+/// The point of an arc from `low` to `high` nearest to an angle, given as one of its whole turns.
+fn nearest_on_arc(wanted: f64, low: f64, high: f64) -> f64 {
+    let inside = low + (wanted - low).rem_euclid(std::f64::consts::TAU);
+    if inside <= high {
+        return inside;
+    }
+    if wrapped(wanted - low).abs() <= wrapped(wanted - high).abs() { low } else { high }
+}

@@ -1,0 +1,103 @@
+//! The torso and the head by what they aim at.
+
+use glam::{DQuat, DVec3};
+use kin::{Column, Eye, Frame, Gaze, Interval};
+
+use crate::contacts::keep_contacts;
+use crate::gesture::{finite, present};
+use crate::limb_rig::{radians, set};
+use crate::{Articulation, Bone, Dof, Figure, GestureError, Joint, Moved, Pose, frames};
+
+/// Bends the spine evenly so that the line from its first joint to the neck points at a world point, with a total
+/// twist in degrees; what an even bend can't express stays. Joints stop at their ranges.
+///
+/// # Errors
+/// A spine with fewer than three joints, a point at the spine's foot, numbers that are not finite.
+pub fn aim_spine(figure: &Figure, before: &Pose, at: DVec3, twist: f64, ranges: bool) -> Result<Moved, GestureError> {
+    finite(at, "the aim")?;
+    if !twist.is_finite() {
+        return Err(GestureError::NotFinite { what: "the twist" });
+    }
+    let bones = [Bone::Spine, Bone::Chest, Bone::UpperChest];
+    let [spine, chest, upper_chest] = [present(figure, bones[0])?, present(figure, bones[1])?, present(figure, bones[2])?];
+    let neck = present(figure, Bone::Neck)?;
+    let column = Column::new([chest.offset, upper_chest.offset, neck.offset]).map_err(|_| GestureError::NoDirection)?;
+    let base = frames(figure, before)[Bone::Hips].then(Frame::new(DQuat::IDENTITY, spine.offset));
+    let locals = [spine, chest, upper_chest].map(|joint| joint.rotation(before.angles(joint.bone)));
+    let state = column.recover(&locals).map_err(|_| GestureError::NoDirection)?;
+    let aim = base.inverse().point(at);
+    let solved = column.solve(&state, aim, twist.to_radians()).map_err(|_| GestureError::NoDirection)?;
+    let mut pose = before.clone();
+    let mut clamped = !solved.reached();
+    for (joint, local) in [spine, chest, upper_chest].into_iter().zip(column.pose(&solved.state)) {
+        clamped |= turn_to(joint, &mut pose, local, before, ranges);
+    }
+    clamped |= keep_contacts(figure, before, &mut pose, &[], ranges)?;
+    Ok(Moved { pose, clamped })
+}
+
+/// Turns neck and head, sharing the turn, so that the point between the eyes looks at a world point; the eyes take
+/// what the ranges leave.
+///
+/// # Errors
+/// A figure without neck or head, a point at the eyes, numbers that are not finite.
+pub fn look_at(figure: &Figure, before: &Pose, at: DVec3, ranges: bool) -> Result<Moved, GestureError> {
+    finite(at, "the point to look at")?;
+    let (neck, head) = (present(figure, Bone::Neck)?, present(figure, Bone::Head)?);
+    let gaze = Gaze::new([head.offset, between_eyes(figure)], DVec3::Z, DVec3::Y).map_err(|_| GestureError::NoDirection)?;
+    let carrier = neck.carrier.unwrap_or(Bone::Hips);
+    let base = frames(figure, before)[carrier].then(Frame::new(DQuat::IDENTITY, neck.offset));
+    let locals = [neck, head].map(|joint| joint.rotation(before.angles(joint.bone)));
+    let state = gaze.recover(&locals).map_err(|_| GestureError::NoDirection)?;
+    let solved = gaze.solve(&state, base.inverse().point(at)).map_err(|_| GestureError::NoDirection)?;
+    let mut pose = before.clone();
+    for (joint, local) in [neck, head].into_iter().zip(gaze.pose(&solved.state)) {
+        turn_to(joint, &mut pose, local, before, ranges);
+    }
+    let mut clamped = turn_eyes(figure, &mut pose, before, at, ranges);
+    clamped |= keep_contacts(figure, before, &mut pose, &[], ranges)?;
+    Ok(Moved { pose, clamped })
+}
+
+/// The point between the eyes in the head's frame; a typical one if the figure has no eyes.
+fn between_eyes(figure: &Figure) -> DVec3 {
+    let eye = |bone| figure.skeleton.joint(bone).map(|joint| joint.offset);
+    match (eye(Bone::LeftEye), eye(Bone::RightEye)) {
+        (Some(left), Some(right)) => (left + right) * 0.5,
+        _ => DVec3::new(0.0, 0.07, 0.08),
+    }
+}
+
+/// Turns each eye at the point as far as it goes; whether one was stopped.
+fn turn_eyes(figure: &Figure, pose: &mut Pose, before: &Pose, at: DVec3, ranges: bool) -> bool {
+    let in_head = frames(figure, pose)[Bone::Head].inverse().point(at);
+    let mut stopped = false;
+    for bone in [Bone::LeftEye, Bone::RightEye] {
+        let Some(joint) = figure.skeleton.joint(bone) else { continue };
+        let Articulation::Hinges(hinges) = &joint.articulation else { continue };
+        let [outer, inner] = hinges.as_slice() else { continue };
+        let eye = Eye { outer: outer.axis, inner: inner.axis, forward: DVec3::Z };
+        let Ok(angles) = eye.angles(in_head - joint.offset) else { continue };
+        for (hinge, angle) in hinges.iter().zip(angles) {
+            stopped |= stop(pose, before, bone, hinge.dof, hinge.range, angle, ranges);
+        }
+    }
+    stopped
+}
+
+/// Turns a ball joint to a rotation as far as its ranges allow; whether one stopped it.
+fn turn_to(joint: &Joint, pose: &mut Pose, local: DQuat, before: &Pose, ranges: bool) -> bool {
+    let Articulation::Ball { ball, ranges: limits, .. } = &joint.articulation else { return true };
+    let mut stopped = false;
+    for (dof, angle) in Dof::ALL.into_iter().zip(ball.angles(local)) {
+        stopped |= stop(pose, before, joint.bone, dof, limits[dof as usize], angle, ranges);
+    }
+    stopped
+}
+
+fn stop(pose: &mut Pose, before: &Pose, bone: Bone, dof: Dof, range: Interval, angle: f64, ranges: bool) -> bool {
+    let range = if ranges { radians(range.reaching(before.angles(bone).get(dof))) } else { Interval::FREE };
+    let held = range.clamp(angle);
+    set(pose, bone, dof, held.to_degrees());
+    (held - angle).abs() > 1e-10
+}
