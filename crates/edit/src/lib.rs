@@ -5,8 +5,13 @@ mod command;
 mod editor;
 mod files;
 mod rejected;
+mod report;
+mod script;
+mod telling;
 
 pub use command::{At, By, Command, Goal, Hold};
 pub use editor::{Document, Editor, Outcome, Request};
 pub use files::{Files, NoFiles};
 pub use rejected::Rejected;
+pub use report::{JointReport, LimbReport, Report};
+pub use script::{SCRIPT_VERSION, Script, parse_script, run_script};

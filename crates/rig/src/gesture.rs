@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::contacts::{contact_order, hold_here, keep_contacts};
+use crate::limb_rig::LimbRig;
 use crate::reach::{Elevate, Grip};
 use crate::{
     Articulator, Bone, Contact, Figure, GestureError, Limb, Moved, Pose, Reacher, Space, frames,
@@ -194,6 +195,14 @@ pub(crate) fn finite(v: DVec3, what: &'static str) -> Result<(), GestureError> {
     // Far beyond any scene, and small enough that squares stay finite.
     let usable = v.is_finite() && v.abs().max_element() < 1e6;
     usable.then_some(()).ok_or(GestureError::NotFinite { what })
+}
+
+/// Whether the figure has every joint that a limb needs to reach.
+///
+/// # Errors
+/// The limb that lacks one.
+pub fn limb_parts_present(figure: &Figure, limb: Limb) -> Result<(), GestureError> {
+    LimbRig::new(figure, limb).map(|_| ()).ok_or(GestureError::NoLimb(limb))
 }
 
 /// Whether the figure has a bone, as an error if not.

@@ -37,7 +37,7 @@ pub use evaluation::{Evaluation, LimbView, center_of_mass, evaluate, frames};
 pub use figure::{Articulator, Figure, Handshape};
 pub use frames::Frames;
 pub use gesture::{
-    Target, articulate, articulator_in, check_reacher, elevate, flip, keep, move_hips, place, reach,
+    Target, articulate, articulator_in, check_reacher, elevate, flip, keep, limb_parts_present, move_hips, place, reach,
 };
 pub use gesture_error::GestureError;
 pub use joint::{Angles, Articulation, Dof, Hinge, Joint};

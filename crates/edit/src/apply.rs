@@ -1,0 +1,193 @@
+//! Applying a command to a document: each arm only hands over to the figure's gestures.
+
+use glam::DVec3;
+use rig::{
+    Contact, Figure, GestureError, Limb, Moved, Part, Pose, PosePatch, Reacher, Space, Target, evaluate, frames,
+};
+
+use crate::editor::{Document, Outcome};
+use crate::{At, By, Command, Files, Goal, Hold, Rejected};
+
+/// A document after a command, and what is to be said of it.
+pub(crate) struct Applied {
+    pub document: Document,
+    pub outcome: Outcome,
+}
+
+/// Applies a command, or says why it can't be done; the document given is never changed.
+pub(crate) fn apply(
+    figure: &Figure,
+    document: &Document,
+    command: &Command,
+    files: &mut dyn Files,
+) -> Result<Applied, Rejected> {
+    let goal = goal_in_world(figure, &document.pose, command);
+    let ranges = document.ranges;
+    let Moved { pose, clamped } = match command {
+        Command::Ranges { on } => {
+            let document = Document { pose: document.pose.clone(), ranges: *on };
+            let message = format!("Ranges {}", if *on { "on" } else { "off" });
+            return Ok(Applied { document, outcome: Outcome { message, ..Outcome::default() } });
+        }
+        Command::ApplyPose { path, parts, amount, mirrored } => {
+            apply_pose(figure, document, files, path, parts, *amount, *mirrored)?
+        }
+        other => gesture(figure, &document.pose, other, ranges)?,
+    };
+    let document = Document { pose, ranges };
+    let missed = missed(figure, &document, goal);
+    let message = message(command, clamped, &missed);
+    Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
+}
+
+impl From<GestureError> for Rejected {
+    fn from(error: GestureError) -> Rejected {
+        Rejected(error.to_string())
+    }
+}
+
+/// The commands that need nothing but figure and pose.
+fn gesture(figure: &Figure, pose: &Pose, command: &Command, ranges: bool) -> Result<Moved, GestureError> {
+    match command {
+        Command::Turn { joint, dof, degrees, by } => {
+            let degrees = goal_angle(pose.angles(*joint).get(*dof), *degrees, *by);
+            rig::turn(figure, pose, *joint, *dof, degrees, ranges)
+        }
+        Command::Reach { limb, to } => reach(figure, pose, *limb, *to, ranges),
+        Command::Elevate { limb, degrees, by } => {
+            rig::elevate(figure, pose, *limb, *degrees, *by == By::To, ranges)
+        }
+        Command::TurnInContact { limb, dof, degrees, by } => {
+            let bone = rig::contact_joint(figure, *limb, *dof)?;
+            let degrees = goal_angle(pose.angles(bone).get(*dof), *degrees, *by);
+            rig::turn_in_contact(figure, pose, *limb, *dof, degrees, ranges)
+        }
+        Command::Flip { limb } => rig::flip(figure, pose, *limb, ranges),
+        Command::Articulate { limb, at } => {
+            let reacher = match at {
+                At::Named(name) => Reacher::Named(name.clone()),
+                At::Point(bone, point) => Reacher::Point(*bone, *point),
+            };
+            rig::articulate(figure, pose, *limb, reacher).map(still)
+        }
+        Command::Keep { limb, contact, space } => {
+            rig::keep(figure, pose, *limb, held(*contact, *space)).map(still)
+        }
+        Command::MoveHips { by } => rig::move_hips(figure, pose, *by, ranges),
+        Command::Place { by, turn } => rig::place(pose, *by, *turn).map(still),
+        Command::AimSpine { at, twist } => rig::aim_spine(figure, pose, *at, *twist, ranges),
+        Command::LookAt { at } => rig::look_at(figure, pose, *at, ranges),
+        Command::Handshape { side, name, amount } => {
+            rig::handshape(figure, pose, *side, name, *amount, ranges)
+        }
+        Command::Mirror { parts } => rig::mirror(figure, pose, parts, ranges),
+        Command::Reset { parts } => rig::reset(figure, pose, parts, ranges),
+        Command::Balance { amount } => rig::balance(figure, pose, *amount, ranges),
+        Command::ApplyPose { .. } | Command::Ranges { .. } => Ok(still(pose.clone())),
+    }
+}
+
+fn still(pose: Pose) -> Moved {
+    Moved { pose, clamped: false }
+}
+
+fn goal_angle(now: f64, degrees: f64, by: By) -> f64 {
+    match by {
+        By::Delta => now + degrees,
+        By::To => degrees,
+    }
+}
+
+/// A contact of that kind; where it holds is read off the pose.
+fn held(hold: Hold, space: Space) -> Contact {
+    match hold {
+        Hold::Free => Contact::Free,
+        Hold::Point => Contact::Point { space, target: DVec3::ZERO },
+        Hold::Planted => Contact::Planted { space, target: DVec3::ZERO, rotation: glam::DQuat::IDENTITY },
+    }
+}
+
+fn reach(figure: &Figure, pose: &Pose, limb: Limb, to: Goal, ranges: bool) -> Result<Moved, GestureError> {
+    match target_of(figure, pose, limb, to)? {
+        Some(target) => rig::reach(figure, pose, limb, target, ranges),
+        None => rig::limb_parts_present(figure, limb).map(|()| still(pose.clone())),
+    }
+}
+
+/// The target of a reach; `None` for here, which moves nothing.
+fn target_of(figure: &Figure, pose: &Pose, limb: Limb, to: Goal) -> Result<Option<Target>, GestureError> {
+    Ok(match to {
+        Goal::Here => None,
+        Goal::Offset(by) if by == DVec3::ZERO => None,
+        Goal::World(point) => Some(Target { space: Space::World, point }),
+        Goal::Body(bone, point) => {
+            figure.skeleton.joint(bone).ok_or(GestureError::NoBone(bone))?;
+            Some(Target { space: Space::Body(bone), point })
+        }
+        Goal::Offset(by) => {
+            let space = pose.limb(limb).contact.target().map_or(Space::World, |(space, _)| space);
+            let here = rig::articulator_in(figure, pose, limb, Space::World) + by;
+            let point = frames(figure, pose).space(space).inverse().point(here);
+            Some(Target { space, point })
+        }
+    })
+}
+
+/// Where an inverse gesture brings its limb, in the world, before anything moves.
+pub(crate) fn goal_in_world(figure: &Figure, pose: &Pose, command: &Command) -> Option<(Limb, DVec3)> {
+    match *command {
+        Command::Reach { limb, to } => {
+            let target = target_of(figure, pose, limb, to).ok()?;
+            let here = || rig::articulator_in(figure, pose, limb, Space::World);
+            let at = target.map_or_else(here, |t| frames(figure, pose).space(t.space).point(t.point));
+            Some((limb, at))
+        }
+        Command::Elevate { limb, .. } | Command::TurnInContact { limb, .. } | Command::Flip { limb } => {
+            let held = pose.limb(limb).contact.target();
+            let here = || rig::articulator_in(figure, pose, limb, Space::World);
+            Some((limb, held.map_or_else(here, |(space, t)| frames(figure, pose).space(space).point(t))))
+        }
+        _ => None,
+    }
+}
+
+fn apply_pose(
+    figure: &Figure,
+    document: &Document,
+    files: &mut dyn Files,
+    path: &str,
+    parts: &[Part],
+    amount: f64,
+    mirrored: bool,
+) -> Result<Moved, Rejected> {
+    let text = files.read(path).map_err(Rejected)?;
+    let named = |fault: rig::TextFault| Rejected(format!("{path}:{fault}"));
+    let patch: PosePatch = rig::parse_pose(&text).map_err(named)?;
+    rig::check_patch(figure, &patch).map_err(|e| Rejected(format!("{path}: {e}")))?;
+    let patch = if mirrored { rig::mirrored_patch(&patch) } else { patch };
+    Ok(rig::apply_patch(figure, &document.pose, &patch, parts, amount, document.ranges)?)
+}
+
+/// Limbs that missed their contact or the gesture's goal by more than a hundredth of a millimetre.
+fn missed(figure: &Figure, document: &Document, goal: Option<(Limb, DVec3)>) -> Vec<(Limb, f64)> {
+    let evaluation = evaluate(figure, &document.pose, document.ranges);
+    let of = |limb: Limb| {
+        let view = &evaluation.limbs[limb.index()];
+        match goal {
+            Some((aimed, at)) if aimed == limb => view.articulator.distance(at),
+            _ => view.residual,
+        }
+    };
+    Limb::ALL.into_iter().map(|limb| (limb, of(limb))).filter(|(_, off)| *off > 1e-5).collect()
+}
+
+fn message(command: &Command, clamped: bool, missed: &[(Limb, f64)]) -> String {
+    let mut message = command.told();
+    for (limb, off) in missed {
+        message += &format!("; {} is {:.1} mm off its target", limb.name(), off * 1000.0);
+    }
+    if clamped && missed.is_empty() {
+        message += "; stopped by a range";
+    }
+    message
+}
