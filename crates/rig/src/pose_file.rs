@@ -34,12 +34,18 @@ impl TextFault {
 /// # Errors
 /// Malformed text, unknown or missing fields, wrong types, values that a type turns down.
 pub fn from_ron<T: DeserializeOwned>(text: &str) -> Result<T, TextFault> {
-    let options = ron::Options::default().with_recursion_limit(32);
-    options.from_str(text).map_err(|e| TextFault {
+    options().from_str(text).map_err(|e| TextFault {
         line: e.span.start.line.max(1),
         column: e.span.start.col.max(1),
         message: e.code.to_string(),
     })
+}
+
+/// What may be left out is written without a `Some` around it; files that have it are read all the same.
+fn options() -> ron::Options {
+    ron::Options::default()
+        .with_recursion_limit(32)
+        .with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME)
 }
 
 /// Reads the version of a versioned text before the rest, so that a newer file is named as such.
@@ -165,7 +171,7 @@ struct AnglesText {
 }
 
 #[derive(Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(transparent)]
 struct LimbsText(BTreeMap<LimbName, LimbText>);
 
 /// `leftArm` in pose files and reports; `LeftArm` in commands.
@@ -284,7 +290,7 @@ pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
         limbs: LimbsText(Limb::ALL.into_iter().map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect()),
     };
     let pretty = ron::ser::PrettyConfig::new().depth_limit(2).separate_tuple_members(false).new_line("\n");
-    let mut text = ron::ser::to_string_pretty(&file, pretty).unwrap_or_default();
+    let mut text = options().to_string_pretty(&file, pretty).unwrap_or_default();
     text.push('\n');
     text
 }
