@@ -1,0 +1,275 @@
+//! The command line: what is asked, done headless or in a window.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use edit::{Editor, NoFiles, Report, Request, parse_script, run_script};
+
+use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text, write_atomic};
+use crate::failure::Failure;
+use crate::load::{self, Kind};
+use crate::picture::{Shot, picture, write_png};
+
+/// Poses a skinned figure: forward and inverse gestures in any mix.
+#[derive(Parser, Debug)]
+#[command(name = "posewright", version, args_conflicts_with_subcommands = true)]
+struct Line {
+    #[command(subcommand)]
+    task: Option<Task>,
+    /// What to open in the window: a pose, script or figure file.
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    window: WindowArguments,
+}
+
+/// Options of the window.
+#[derive(clap::Args, Debug)]
+struct WindowArguments {
+    /// Writes where each labelled control is, as JSON, after every frame: for tests of the window.
+    #[arg(long, value_name = "FILE", hide = true)]
+    ui_map: Option<PathBuf>,
+}
+
+#[derive(Subcommand, Debug)]
+enum Task {
+    /// Runs a script of commands on a figure.
+    Run {
+        /// The script, *.script.ron.
+        script: PathBuf,
+        /// A pose to start from instead of rest.
+        #[arg(long, value_name = "POSE")]
+        on: Option<PathBuf>,
+        /// Another figure, *.figure.ron.
+        #[arg(long)]
+        figure: Option<PathBuf>,
+        /// Saves the pose at the end.
+        #[arg(long, value_name = "POSE")]
+        save: Option<PathBuf>,
+        /// Writes a JSON array: the start, then a record for each command. "-" is standard output.
+        #[arg(long, value_name = "JSON")]
+        report: Option<PathBuf>,
+    },
+    /// Draws a pose, or what a script makes of the figure, to a PNG; needs no display.
+    Render {
+        /// The pose, script or figure file.
+        file: PathBuf,
+        /// The PNG to write.
+        #[arg(short, long, value_name = "PNG")]
+        output: PathBuf,
+        /// Another figure, *.figure.ron.
+        #[arg(long)]
+        figure: Option<PathBuf>,
+        /// Pixels.
+        #[arg(long, default_value = "1280x800", value_parser = size, value_name = "WxH")]
+        size: [u32; 2],
+        /// From where: front, back, left, right, top or three-quarter.
+        #[arg(long, default_value = "three-quarter")]
+        view: rig::View,
+        /// What each pixel says.
+        #[arg(long, default_value = "color")]
+        pass: PassName,
+        /// Leaves the background clear.
+        #[arg(long)]
+        transparent: bool,
+        /// Draws the whole window with its panels.
+        #[arg(long)]
+        ui: bool,
+    },
+    /// Tells what a pose comes to.
+    Inspect {
+        /// The pose, script or figure file.
+        file: PathBuf,
+        /// One record as JSON, as in the reports of `run`.
+        #[arg(long)]
+        json: bool,
+        /// Another figure, *.figure.ron.
+        #[arg(long)]
+        figure: Option<PathBuf>,
+    },
+    /// Checks files and says what is wrong where: file:line:column: message.
+    Check {
+        /// Poses, scripts, figures, URDF and GLB files.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// The figure that poses and scripts are for, *.figure.ron.
+        #[arg(long)]
+        figure: Option<PathBuf>,
+    },
+}
+
+#[derive(Clone, Copy, ValueEnum, Debug)]
+enum PassName {
+    Color,
+    Depth,
+    Normal,
+    Silhouette,
+    Openpose,
+}
+
+impl From<PassName> for render::Pass {
+    fn from(name: PassName) -> render::Pass {
+        match name {
+            PassName::Color => render::Pass::Color,
+            PassName::Depth => render::Pass::Depth,
+            PassName::Normal => render::Pass::Normal,
+            PassName::Silhouette => render::Pass::Silhouette,
+            PassName::Openpose => render::Pass::OpenPose,
+        }
+    }
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let edge = |part: &str| part.parse::<u32>().ok().filter(|n| *n > 0);
+    let pair = text.split_once('x').and_then(|(w, h)| Some([edge(w)?, edge(h)?]));
+    pair.ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 1280x800".to_owned())
+}
+
+/// Does what the command line asks.
+pub fn main() -> ExitCode {
+    let line = match Line::try_parse() {
+        Ok(line) => line,
+        // Help and version are not faults; clap knows its own exit codes.
+        Err(e) => {
+            let _ = e.print();
+            return ExitCode::from(u8::try_from(e.exit_code()).unwrap_or(2));
+        }
+    };
+    match act(line) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failures) => {
+            for failure in &failures {
+                say(&failure.to_string());
+            }
+            failures.first().map_or(ExitCode::FAILURE, Failure::code)
+        }
+    }
+}
+
+/// One line on standard error; a closed pipe is nobody's fault.
+fn say(message: &str) {
+    use std::io::Write as _;
+    let _ = writeln!(std::io::stderr(), "{message}");
+}
+
+fn act(line: Line) -> Result<(), Vec<Failure>> {
+    let one = |failure| vec![failure];
+    match line.task {
+        None => crate::window::run(&line.files, line.window.ui_map.as_deref()).map_err(one),
+        Some(Task::Run { script, on, figure, save, report }) => {
+            run(&script, on.as_deref(), figure.as_deref(), save.as_deref(), report.as_deref()).map_err(one)
+        }
+        Some(Task::Render { file, output, figure, size, view, pass, transparent, ui }) => {
+            let shot = Shot { size, view, pass: pass.into(), transparent };
+            render(&file, &output, figure.as_deref(), &shot, ui).map_err(one)
+        }
+        Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
+        Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
+    }
+}
+
+fn run(
+    path: &Path,
+    on: Option<&Path>,
+    figure: Option<&Path>,
+    save: Option<&Path>,
+    report: Option<&Path>,
+) -> Result<(), Failure> {
+    let figure = load::figure(figure)?;
+    let script = parse_script(&read_text(path)?).map_err(|fault| load::at(path, &fault))?;
+    let mut editor = Editor::new(figure.clone());
+    if let Some(on) = on {
+        let pose = Box::new(load::pose(&figure, on)?);
+        editor.submit(Request::Open(pose), &mut NoFiles).map_err(|e| Failure::Input(e.to_string()))?;
+    }
+    let reports = run_script(&mut editor, &script, &mut Disk::beside(path))
+        .map_err(|fault| load::at(path, &fault))?;
+    if let Some(save) = save {
+        write_atomic(save, rig::write_pose(&figure, editor.pose()).as_bytes())?;
+    }
+    match report {
+        Some(to) => write_json(&reports, to),
+        None => Ok(()),
+    }
+}
+
+fn write_json<T: serde::Serialize>(value: &T, to: &Path) -> Result<(), Failure> {
+    let mut text = serde_json::to_string_pretty(value).map_err(|e| Failure::Input(e.to_string()))?;
+    text.push('\n');
+    if to == Path::new("-") { print(&text) } else { write_atomic(to, text.as_bytes()) }
+}
+
+fn print(text: &str) -> Result<(), Failure> {
+    use std::io::Write as _;
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Input(format!("standard output: {e}"))),
+        _ => Ok(()),
+    }
+}
+
+fn render(file: &Path, output: &Path, figure: Option<&Path>, shot: &Shot, ui: bool) -> Result<(), Failure> {
+    let editor = load::editor(&load::figure(figure)?, file)?;
+    let image = if ui { crate::window::ui_picture(&editor, file, shot)? } else { picture(&editor, shot)? };
+    write_png(&image, output)
+}
+
+fn inspect(file: &Path, json: bool, figure: Option<&Path>) -> Result<(), Failure> {
+    let editor = load::editor(&load::figure(figure)?, file)?;
+    let report = Report::of(&editor, "inspect", None);
+    if json {
+        return write_json(&report, Path::new("-"));
+    }
+    print(&table(&editor, &report))
+}
+
+/// The record for people: limbs, then every joint that is not at rest.
+fn table(editor: &Editor, report: &Report) -> String {
+    use std::fmt::Write as _;
+    let mut text = format!("{}\n\n", editor.figure().name);
+    for (name, limb) in &report.limbs {
+        let [x, y, z] = limb.articulator;
+        let elevation = limb.elevation.map_or("none".to_owned(), |e| format!("{e:.1}°"));
+        let _ = writeln!(
+            text,
+            "{name:10} {:8} at {x:7.3} {y:7.3} {z:7.3} m   off {:6.1} mm   elevation {elevation}",
+            limb.contact,
+            limb.residual * 1000.0
+        );
+    }
+    text.push('\n');
+    for joint in editor.figure().skeleton.joints() {
+        let angles = editor.pose().angles(joint.bone);
+        let moved: Vec<String> = joint
+            .dofs()
+            .filter(|dof| angles.get(*dof) != 0.0)
+            .map(|dof| format!("{} {:.1}°", dof.name(), angles.get(dof)))
+            .collect();
+        if !moved.is_empty() {
+            let _ = writeln!(text, "{:24} {}", joint.bone.name(), moved.join("  "));
+        }
+    }
+    text
+}
+
+fn check(files: &[PathBuf], figure: Option<&Path>) -> Result<(), Vec<Failure>> {
+    let figure = load::figure(figure).map_err(|failure| vec![failure])?;
+    let check_one = |path: &PathBuf| -> Result<(), Failure> {
+        match Kind::of(path)? {
+            Kind::Pose => load::patch(&figure, path).map(|_| ()),
+            Kind::Script => {
+                parse_script(&read_text(path)?).map(|_| ()).map_err(|fault| load::at(path, &fault))?;
+                load::editor(&figure, path).map(|_| ())
+            }
+            Kind::Figure => load::figure(Some(path)).map(|_| ()),
+            Kind::Urdf => interchange::urdf::read(&read_text(path)?, &std::collections::BTreeMap::new())
+                .map(|_| ())
+                .map_err(|e| Failure::Input(format!("{}:{e}", path.display()))),
+            Kind::Glb => interchange::glb::read(&read_bytes(path, MODEL_LIMIT)?, &figure.skeleton)
+                .map(|_| ())
+                .map_err(|e| Failure::Input(format!("{}:1:1: {e}", path.display()))),
+        }
+    };
+    let faults: Vec<Failure> = files.iter().filter_map(|path| check_one(path).err()).collect();
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}

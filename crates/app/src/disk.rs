@@ -1,0 +1,145 @@
+//! The disk: bounded reading, and writing that never leaves half a file.
+
+use std::fs::{self, File};
+use std::io::{Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use edit::Files;
+
+use crate::failure::Failure;
+
+/// The largest text that is read, bytes: a pose takes some ten thousand.
+pub const TEXT_LIMIT: u64 = 16 << 20;
+/// The largest model or mesh that is read, bytes.
+pub const MODEL_LIMIT: u64 = 512 << 20;
+
+/// Reads a whole file of at most `limit` bytes.
+///
+/// # Errors
+/// A file that is missing, unreadable or larger; the message names it.
+pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+    let fault = |e: std::io::Error| Failure::Input(format!("{}: {}", path.display(), plain(&e)));
+    let file = File::open(path).map_err(fault)?;
+    let mut bytes = Vec::new();
+    file.take(limit + 1).read_to_end(&mut bytes).map_err(fault)?;
+    if bytes.len() as u64 > limit {
+        let message = format!("{}:1:1: larger than {} MB, the most that is read", path.display(), limit >> 20);
+        return Err(Failure::Input(message));
+    }
+    Ok(bytes)
+}
+
+/// Reads a whole text file.
+///
+/// # Errors
+/// As [`read_bytes`], and text that is not UTF-8, with its place.
+pub fn read_text(path: &Path) -> Result<String, Failure> {
+    String::from_utf8(read_bytes(path, TEXT_LIMIT)?).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let before = String::from_utf8_lossy(&e.as_bytes()[..good]).into_owned();
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+        Failure::Input(format!("{}:{line}:{column}: not UTF-8 text", path.display()))
+    })
+}
+
+/// Writes a file whole: beside it first, then in its place. If that is interrupted the former file stays.
+///
+/// # Errors
+/// A folder that is missing or can't be written; the message names the file.
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let fault = |e: std::io::Error| Failure::Input(format!("{}: {}", path.display(), plain(&e)));
+    // A link is followed, so that the file it names is replaced and not the link.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut temporary = tempfile::Builder::new().prefix(".posewright-").tempfile_in(folder).map_err(fault)?;
+    temporary.write_all(bytes).map_err(fault)?;
+    temporary.as_file().sync_all().map_err(fault)?;
+    let permissions = fs::metadata(&path).map(|m| m.permissions()).ok().or_else(ordinary);
+    if let Some(permissions) = permissions {
+        temporary.as_file().set_permissions(permissions).map_err(fault)?;
+    }
+    temporary.persist(&path).map_err(|e| fault(e.error))?;
+    Ok(())
+}
+
+/// What a new file may be: temporary ones are readable by their owner only.
+#[cfg(unix)]
+fn ordinary() -> Option<fs::Permissions> {
+    use std::os::unix::fs::PermissionsExt as _;
+    Some(fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn ordinary() -> Option<fs::Permissions> {
+    None
+}
+
+fn plain(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "no such file or folder".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "not allowed".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// The disk as commands see it: paths are taken from a folder, that of the script or the present one.
+#[derive(Clone, Debug, Default)]
+pub struct Disk {
+    /// Where relative paths start.
+    pub folder: PathBuf,
+}
+
+impl Disk {
+    /// Paths start beside a file.
+    pub fn beside(file: &Path) -> Disk {
+        Disk { folder: file.parent().unwrap_or(Path::new("")).to_owned() }
+    }
+}
+
+impl Files for Disk {
+    fn read(&mut self, path: &str) -> Result<String, String> {
+        read_text(&self.folder.join(path)).map_err(|e| e.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interrupted_save_leaves_the_former_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.pose.ron");
+        write_atomic(&path, b"former").unwrap();
+        // The disk fills or the program dies before the new file is whole: its folder takes no more files.
+        let blocked = folder.path().join("missing").join("a.pose.ron");
+        assert!(write_atomic(&blocked, b"new").is_err());
+        let half = tempfile::Builder::new().prefix(".posewright-").tempfile_in(folder.path()).unwrap();
+        fs::write(half.path(), b"ha").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"former");
+        write_atomic(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+    }
+
+    #[test]
+    fn a_file_that_is_too_large_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("big.pose.ron");
+        fs::write(&path, vec![b'('; 100]).unwrap();
+        let message = read_bytes(&path, 99).unwrap_err().to_string();
+        assert!(message.contains("big.pose.ron:1:1: larger"), "{message}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_written_through() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("real"), folder.path().join("link"));
+        fs::write(&file, b"former").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_atomic(&link, b"new").unwrap();
+        assert_eq!(fs::read(&file).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+}

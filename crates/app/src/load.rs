@@ -1,0 +1,113 @@
+//! Files into values: figures, poses and scripts by extension.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use edit::{Editor, NoFiles, Request, parse_script, run_script};
+use rig::{Figure, Pose, PosePatch};
+
+use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
+use crate::failure::Failure;
+
+/// What a file is, by its name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// `*.pose.ron`
+    Pose,
+    /// `*.script.ron`
+    Script,
+    /// `*.figure.ron`
+    Figure,
+    /// `*.urdf`
+    Urdf,
+    /// `*.glb`
+    Glb,
+}
+
+impl Kind {
+    /// The kind of a file.
+    ///
+    /// # Errors
+    /// A name with no known extension: which ones there are.
+    pub fn of(path: &Path) -> Result<Kind, Failure> {
+        let name = path.file_name().map(|n| n.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let kinds = [
+            (".pose.ron", Kind::Pose),
+            (".script.ron", Kind::Script),
+            (".figure.ron", Kind::Figure),
+            (".urdf", Kind::Urdf),
+            (".glb", Kind::Glb),
+        ];
+        kinds.into_iter().find(|(end, _)| name.ends_with(end)).map(|(_, kind)| kind).ok_or_else(|| {
+            let known = kinds.map(|(end, _)| end).join(" ");
+            Failure::Input(format!("{}: not a kind of file that is known: {known}", path.display()))
+        })
+    }
+}
+
+/// The figure of a `*.figure.ron` file, or the shipped mannequin.
+///
+/// # Errors
+/// A file at fault: which, where and why.
+pub fn figure(path: Option<&Path>) -> Result<Arc<Figure>, Failure> {
+    let Some(path) = path else {
+        return interchange::figure::mannequin().map(Arc::new).map_err(|e| Failure::Input(e.to_string()));
+    };
+    let text = read_text(path)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut fetch = |name: &str| read_bytes(&folder.join(name), MODEL_LIMIT).map_err(|e| e.to_string());
+    let (figure, warnings) = interchange::figure::load(&text, &mut fetch)
+        .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
+    for warning in warnings {
+        log::warn!("{}: {warning}", path.display());
+    }
+    Ok(Arc::new(figure))
+}
+
+/// Reads and checks a pose file.
+///
+/// # Errors
+/// A file at fault: where and why.
+pub fn patch(figure: &Figure, path: &Path) -> Result<PosePatch, Failure> {
+    let patch = rig::parse_pose(&read_text(path)?).map_err(|fault| at(path, &fault))?;
+    rig::check_patch(figure, &patch)
+        .map_err(|fault| Failure::Input(format!("{}:1:1: {fault}", path.display())))?;
+    Ok(patch)
+}
+
+/// The pose that a file makes of the figure at rest.
+///
+/// # Errors
+/// As [`patch`].
+pub fn pose(figure: &Figure, path: &Path) -> Result<Pose, Failure> {
+    Ok(patch(figure, path)?.onto(&figure.rest_pose()))
+}
+
+/// An editor that shows a file: a pose, or what a script makes of the figure at rest.
+///
+/// # Errors
+/// A file at fault, or one of a kind that shows no figure.
+pub fn editor(figure: &Arc<Figure>, path: &Path) -> Result<Editor, Failure> {
+    let mut editor = Editor::new(figure.clone());
+    match Kind::of(path)? {
+        Kind::Pose => {
+            let pose = Box::new(pose(figure, path)?);
+            editor.submit(Request::Open(pose), &mut NoFiles).map_err(|e| Failure::Input(e.to_string()))?;
+        }
+        Kind::Script => {
+            let script = parse_script(&read_text(path)?).map_err(|fault| at(path, &fault))?;
+            run_script(&mut editor, &script, &mut Disk::beside(path)).map_err(|fault| at(path, &fault))?;
+        }
+        Kind::Figure => return self::figure(Some(path)).map(Editor::new),
+        Kind::Urdf | Kind::Glb => {
+            let message = "this shows no posed figure; give a .pose.ron, .script.ron or .figure.ron file";
+            return Err(Failure::Input(format!("{}: {message}", path.display())));
+        }
+    }
+    Ok(editor)
+}
+
+/// A fault in a file, as `file:line:column: message`.
+pub fn at(path: &Path, fault: &rig::TextFault) -> Failure {
+    Failure::Input(format!("{}:{fault}", path.display()))
+}
