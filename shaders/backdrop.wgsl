@@ -16,7 +16,7 @@ fn vs_backdrop(@builtin(vertex_index) index: u32) -> Backdrop {
 
 @fragment
 fn fs_backdrop(in: Backdrop) -> @location(0) vec4<f32> {
-    // Mixed as stored, so that the steps are even, with less than one step of noise against bands.
+    // Less than one step of noise against bands.
     let noise = fract(52.9829189 * fract(dot(in.clip.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
-    return vec4(linear_from_srgb(in.color + noise * (0.9 / 255.0)), 1.0);
+    return vec4(in.color + noise * (0.9 / 255.0), 1.0);
 }

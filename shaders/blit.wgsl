@@ -19,11 +19,11 @@ fn fs_same(in: Spot) -> @location(0) vec4<f32> {
     return textureSampleLevel(picture, picture_sampler, in.at, 0.0);
 }
 
-// The target holds gamma-space numbers: encode.
+// The target encodes what it gets: give it light.
 @fragment
-fn fs_encode(in: Spot) -> @location(0) vec4<f32> {
+fn fs_decode(in: Spot) -> @location(0) vec4<f32> {
     let c = textureSampleLevel(picture, picture_sampler, in.at, 0.0);
-    let low = c.rgb * 12.92;
-    let high = 1.055 * pow(max(c.rgb, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
-    return vec4(select(high, low, c.rgb <= vec3(0.0031308)), c.a);
+    let low = c.rgb / 12.92;
+    let high = pow((c.rgb + 0.055) / 1.055, vec3(2.4));
+    return vec4(select(high, low, c.rgb <= vec3(0.04045)), c.a);
 }

@@ -65,7 +65,10 @@ fn shade(in: Surface, n: vec3<f32>) -> vec3<f32> {
     let open = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
     let light = mix(GROUND, SKY, sky) * open + FILL * (fill * fill) + KEY * key;
     let half_way = normalize(scene.key.xyz + v);
-    let gloss = pow(max(dot(n, half_way), 0.0), 24.0) * 0.10 * key;
+    let g = max(dot(n, half_way), 0.0);
+    let g2 = g * g;
+    let g8 = g2 * g2 * g2 * g2;
+    let gloss = g8 * g8 * g8 * 0.10 * key;
     let edge = 1.0 - facing;
     let edge3 = edge * edge * edge;
     let rim = RIM * (edge3 * (0.3 + 0.7 * sky));
@@ -85,11 +88,16 @@ fn tone(c: vec3<f32>) -> vec3<f32> {
     return x * inverseSqrt(1.0 + x * x);
 }
 
+// sRGB numbers of light in 0 to 1.
+fn encoded(c: vec3<f32>) -> vec3<f32> {
+    return select(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3(0.0031308));
+}
+
 @fragment
 fn fs_color(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let n = normalize(select(-in.normal, in.normal, front));
     let opacity = figure.look.x;
-    return vec4(tone(shade(in, n)) * opacity, opacity);
+    return vec4(encoded(tone(shade(in, n))) * opacity, opacity);
 }
 
 @fragment

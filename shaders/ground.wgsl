@@ -33,11 +33,11 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
     let fine = lines(in.at, pixel, scene.ground.w, 1.0);
     let metre = lines(in.at, pixel, scene.ground.w * 10.0, 1.2);
     let axis = clamp(vec2(1.3) - abs(in.at) / pixel, vec2(0.0), vec2(1.0));
-    var alpha = max(max(fine.x, fine.y) * 0.075, max(metre.x, metre.y) * 0.20);
-    var color = vec3(0.75, 0.78, 0.82);
+    var alpha = max(max(fine.x, fine.y) * 0.09, max(metre.x, metre.y) * 0.22);
+    var color = vec3(0.82, 0.84, 0.87);
     // Along X the z coordinate is zero, and the other way round.
-    color = mix(color, vec3(0.78, 0.16, 0.14), axis.y);
-    color = mix(color, vec3(0.13, 0.30, 0.80), axis.x * (1.0 - axis.y));
+    color = mix(color, vec3(0.86, 0.36, 0.34), axis.y);
+    color = mix(color, vec3(0.36, 0.55, 0.90), axis.x * (1.0 - axis.y));
     alpha = max(alpha, max(axis.x, axis.y) * 0.6) * fade;
     return vec4(color * alpha, alpha);
 }
@@ -62,5 +62,5 @@ fn fs_shade(in: Shade) -> @location(0) vec4<f32> {
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + step, 0.0).r;
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(step.x, -step.y), 0.0).r;
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(-step.x, step.y), 0.0).r;
-    return vec4(0.0, 0.0, 0.0, 0.62 * (1.0 - 0.25 * lit));
+    return vec4(0.0, 0.0, 0.0, 0.42 * (1.0 - 0.25 * lit));
 }

@@ -39,8 +39,8 @@ fn vs_stroke(@builtin(vertex_index) index: u32, in: Stroke) -> Ink {
     let start = cut(b, a);
     let end = cut(a, b);
     var out: Ink;
-    out.color = vec4(linear_from_srgb(in.color.rgb), in.color.a);
-    out.outline = vec4(linear_from_srgb(in.outline.rgb), in.outline.a);
+    out.color = in.color;
+    out.outline = in.outline;
     out.shape = in.shape;
     if start.z < 0.0 || end.z < 0.0 || start.w <= 0.0 || end.w <= 0.0 {
         out.clip = vec4(0.0, 0.0, 2.0, 1.0);

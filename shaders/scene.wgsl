@@ -1,4 +1,5 @@
-// What every pass knows. Twin of `SceneUniform` in crates/render/src/uniforms.rs.
+// What every pass knows. Colours are sRGB numbers except where they meet light, in figure.wgsl.
+// Twin of `SceneUniform` in crates/render/src/uniforms.rs.
 
 struct Scene {
     clip_from_world: mat4x4<f32>,
@@ -23,6 +24,7 @@ struct Scene {
     footprint: vec4<f32>,
     // x: depth of the shadow map, metres.
     light: vec4<f32>,
+    // Linear; w: strength.
     selected_tint: vec4<f32>,
     hovered_tint: vec4<f32>,
 }
@@ -31,8 +33,4 @@ struct Scene {
 
 fn toward_viewer(world: vec3<f32>) -> vec3<f32> {
     return normalize(scene.eye.xyz - world * scene.eye.w);
-}
-
-fn linear_from_srgb(c: vec3<f32>) -> vec3<f32> {
-    return select(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, c <= vec3(0.04045));
 }

@@ -17,7 +17,7 @@ fn vs_soften(@builtin(vertex_index) index: u32) -> Spot {
 }
 
 // The light's radius over its distance.
-const SPREAD: f32 = 0.085;
+const SPREAD: f32 = 0.055;
 const TALLEST_M: f32 = 1.6;
 const SEARCH: i32 = 12;
 const FILTER: i32 = 20;
@@ -37,7 +37,8 @@ fn depth_at(at: vec2<f32>) -> f32 {
 fn fs_soften(in: Spot) -> @location(0) vec4<f32> {
     let map_m = scene.ranges.z / scene.ranges.w;
     let deep_m = scene.light.x;
-    let ground = in.shadow.z - 0.004 / deep_m;
+    // Below the cleared map's 1, where nothing may seem to lie before the ground.
+    let ground = min(in.shadow.z - 0.004 / deep_m, 0.999);
     // Neighbours look in other directions; whoever reads the map averages over them.
     let cell = vec2<u32>(in.clip.xy) & vec2(3u);
     let turn = f32((cell.x * 4u + cell.y * 9u) & 15u) * 0.3927;

@@ -42,6 +42,9 @@ fn main() {
     if has("near") {
         camera.zoom(0.35, Vec3::new(0.1, 1.4, 0.1));
     }
+    if has("high") {
+        camera.pitch_rad = 0.9;
+    }
     let mut overlay = Overlay::default();
     if has("marks") {
         marks(&mut overlay);

@@ -10,14 +10,13 @@ use crate::{Gpu, shaders};
 pub struct Blit {
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
-    same: wgpu::RenderPipeline,
-    encode: wgpu::RenderPipeline,
-    target_is_srgb: bool,
+    pipeline: wgpu::RenderPipeline,
     source: Option<(wgpu::Texture, wgpu::BindGroup)>,
 }
 
 impl Blit {
-    /// For targets of that format, one sample, no depth. A plain `Unorm` target gets sRGB numbers, as egui wants.
+    /// For targets of that format, one sample, no depth. A plain `Unorm` target gets sRGB numbers, as egui wants;
+    /// an `UnormSrgb` one the same colours.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Blit {
         let device = &gpu.device;
         let layout = bind_layout(device);
@@ -30,50 +29,43 @@ impl Blit {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let pipeline = |fragment: &str| {
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some(fragment),
-                layout: Some(&pipeline_layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some("vs_blit"),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[],
-                },
-                primitive: wgpu::PrimitiveState {
-                    topology: wgpu::PrimitiveTopology::TriangleStrip,
-                    ..wgpu::PrimitiveState::default()
-                },
-                depth_stencil: None,
-                multisample: wgpu::MultisampleState::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module: &module,
-                    entry_point: Some(fragment),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    targets: &[Some(wgpu::ColorTargetState {
-                        format: target_format,
-                        blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                        write_mask: wgpu::ColorWrites::ALL,
-                    })],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
-        };
+        // An sRGB target encodes what it gets, and the picture is encoded already.
+        let fragment = if target_format.is_srgb() { "fs_decode" } else { "fs_same" };
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(fragment),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vs_blit"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: wgpu::PrimitiveTopology::TriangleStrip,
+                ..wgpu::PrimitiveState::default()
+            },
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some(fragment),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format: target_format,
+                    blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("blit"),
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
             ..wgpu::SamplerDescriptor::default()
         });
-        Blit {
-            same: pipeline("fs_same"),
-            encode: pipeline("fs_encode"),
-            target_is_srgb: target_format.is_srgb(),
-            layout,
-            sampler,
-            source: None,
-        }
+        Blit { pipeline, layout, sampler, source: None }
     }
 
     /// Takes the renderer's present picture as source; cheap if its texture is the same as before.
@@ -101,15 +93,13 @@ impl Blit {
     ///
     /// Sets the viewport and leaves it set. Nothing happens without a picture or with an empty rectangle.
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>, rect_px: [f32; 4]) {
-        let Some((picture, group)) = &self.source else { return };
+        let Some((_, group)) = &self.source else { return };
         let [x, y, width, height] = rect_px;
         if !(width >= 1.0 && height >= 1.0 && x.is_finite() && y.is_finite()) {
             return;
         }
-        // Pictures of light decode when sampled; data passes hold what is to be seen.
-        let encode = picture.format().is_srgb() && !self.target_is_srgb;
         pass.set_viewport(x, y, width, height, 0.0, 1.0);
-        pass.set_pipeline(if encode { &self.encode } else { &self.same });
+        pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..4, 0..1);
     }

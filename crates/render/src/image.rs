@@ -2,7 +2,6 @@
 
 use crate::renderer::Renderer;
 use crate::scene::{Look, Scene};
-use crate::uniforms::{linear_from_srgb, srgb_from_linear};
 use crate::{DrawError, Gpu};
 
 /// A picture in memory.
@@ -88,15 +87,14 @@ pub(crate) fn read(
     Ok(Image { width, height, rgba })
 }
 
-/// From light times alpha to the colour itself.
+/// From colour times alpha to the colour itself.
 fn straighten(pixel: &mut [u8]) {
     let [r, g, b, a] = pixel else { return };
-    if *a == 0 || *a == 255 {
+    if *a == 0 {
         return;
     }
-    let alpha = f32::from(*a) / 255.0;
+    let alpha = u16::from(*a);
     for c in [r, g, b] {
-        let straight = (linear_from_srgb(f32::from(*c) / 255.0) / alpha).min(1.0);
-        *c = (srgb_from_linear(straight) * 255.0).round() as u8;
+        *c = ((u16::from(*c) * 255 + alpha / 2) / alpha).min(255) as u8;
     }
 }

@@ -52,7 +52,8 @@ impl Light {
         let half = (half * 8.0).ceil() / 8.0;
         let texel_m = 2.0 * half / SHADOW_SIZE as f32;
         let center = (seen.center() / texel_m).round() * texel_m;
-        let lowest = fallen.corners().into_iter().map(|p| (axes * p).z).fold(seen.min.z, f32::min) - 0.05;
+        let lowest =
+            fallen.corners().into_iter().map(|p| (axes * p).z).fold(seen.min.z, f32::min) - PENUMBRA_M;
         let highest = seen.max.z + 0.05;
         let deep = highest - lowest;
         let texture_from_light = Mat4::from_cols(

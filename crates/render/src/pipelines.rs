@@ -4,10 +4,11 @@ use std::collections::HashMap;
 
 use crate::layouts::Layouts;
 use crate::overlay::Stroke;
+use crate::scene::Msaa;
 use crate::shaders;
 use crate::shadow::SOFT_FORMAT;
 use crate::skins::VERTEX_LAYOUTS;
-use crate::target::{DEPTH_FORMAT, TargetKey};
+use crate::target::{DEPTH_FORMAT, PICTURE_FORMAT};
 
 /// What a pipeline draws.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -51,7 +52,7 @@ pub(crate) struct Pipelines {
     backdrop: wgpu::ShaderModule,
     ground: wgpu::ShaderModule,
     overlay: wgpu::ShaderModule,
-    made: HashMap<(Draw, u32, wgpu::TextureFormat), wgpu::RenderPipeline>,
+    made: HashMap<(Draw, Msaa), wgpu::RenderPipeline>,
 }
 
 /// How a kind of draw differs from the others.
@@ -66,7 +67,7 @@ struct Recipe<'a> {
     strip: bool,
     cull: Option<wgpu::Face>,
     depth: Option<DepthRule>,
-    blend: bool,
+    blend: Option<wgpu::BlendState>,
 }
 
 /// What a draw does with depth.
@@ -76,6 +77,19 @@ struct DepthRule {
     compare: wgpu::CompareFunction,
     slope_bias: f32,
 }
+
+/// Before what is there.
+const OVER: wgpu::BlendState = wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING;
+
+/// Behind what is there: surroundings come last, one sample a pixel whatever the figures have.
+const UNDER: wgpu::BlendState = {
+    let component = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::OneMinusDstAlpha,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    wgpu::BlendState { color: component, alpha: component }
+};
 
 const STROKE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: size_of::<Stroke>() as u64,
@@ -106,26 +120,19 @@ impl Pipelines {
     }
 
     /// Makes a pipeline unless it exists.
-    pub fn prepare(&mut self, device: &wgpu::Device, draw: Draw, key: TargetKey) {
-        let (samples, format) = (key.msaa.samples(), key.format);
-        if !self.made.contains_key(&(draw, samples, format)) {
-            let made = self.make(device, draw, samples, format);
-            self.made.insert((draw, samples, format), made);
+    pub fn prepare(&mut self, device: &wgpu::Device, draw: Draw, msaa: Msaa) {
+        if !self.made.contains_key(&(draw, msaa)) {
+            let made = self.make(device, draw, msaa.samples());
+            self.made.insert((draw, msaa), made);
         }
     }
 
     /// A pipeline that was prepared.
-    pub fn get(&self, draw: Draw, key: TargetKey) -> Option<&wgpu::RenderPipeline> {
-        self.made.get(&(draw, key.msaa.samples(), key.format))
+    pub fn get(&self, draw: Draw, msaa: Msaa) -> Option<&wgpu::RenderPipeline> {
+        self.made.get(&(draw, msaa))
     }
 
-    fn make(
-        &self,
-        device: &wgpu::Device,
-        draw: Draw,
-        samples: u32,
-        format: wgpu::TextureFormat,
-    ) -> wgpu::RenderPipeline {
+    fn make(&self, device: &wgpu::Device, draw: Draw, samples: u32) -> wgpu::RenderPipeline {
         use wgpu::CompareFunction::{Always, Greater, Less, LessEqual};
         let [skin, surface] = VERTEX_LAYOUTS.map(Some);
         let (skin_only, both) = ([skin.clone()], [skin, surface]);
@@ -133,19 +140,18 @@ impl Pipelines {
         let layouts = &self.layouts;
         let shaded = [Some(&layouts.scene), Some(&layouts.figure), Some(&layouts.shadow)];
         let ground = [Some(&layouts.scene), None, Some(&layouts.soft)];
-        let behind = DepthRule { write: false, compare: LessEqual, slope_bias: 0.0 };
         let plain = Recipe {
             module: &self.ground,
             vertex: "vs_grid",
             fragment: None,
             buffers: &[],
             groups: &ground,
-            format: Some(format),
-            samples,
+            format: Some(PICTURE_FORMAT),
+            samples: 1,
             strip: true,
             cull: None,
-            depth: Some(behind),
-            blend: true,
+            depth: None,
+            blend: Some(UNDER),
         };
         let side = |two_sided: bool| (!two_sided).then_some(wgpu::Face::Back);
         let skinned = |fragment, two_sided, compare| Recipe {
@@ -154,9 +160,11 @@ impl Pipelines {
             fragment: Some(fragment),
             buffers: &both,
             groups: &shaded,
+            samples,
             strip: false,
             cull: side(two_sided),
             depth: Some(DepthRule { write: true, compare, slope_bias: 0.0 }),
+            blend: Some(OVER),
             ..plain
         };
         let recipe = match draw {
@@ -177,9 +185,7 @@ impl Pipelines {
                 fragment: Some("fs_soften"),
                 groups: &shaded,
                 format: Some(SOFT_FORMAT),
-                samples: 1,
-                depth: None,
-                blend: false,
+                blend: None,
                 ..plain
             },
             Draw::Ghost { two_sided } => skinned("fs_nothing", two_sided, Less),
@@ -189,7 +195,6 @@ impl Pipelines {
                 vertex: "vs_backdrop",
                 fragment: Some("fs_backdrop"),
                 groups: &shaded[..1],
-                blend: false,
                 ..plain
             },
             Draw::Grid => Recipe { fragment: Some("fs_grid"), groups: &shaded[..1], ..plain },
@@ -201,13 +206,16 @@ impl Pipelines {
                 buffers: &strokes,
                 groups: &shaded[..1],
                 depth: Some(DepthRule {
+                    write: false,
                     compare: match seen {
                         Seen::Before => LessEqual,
                         Seen::Behind => Greater,
                         Seen::Always => Always,
                     },
-                    ..behind
+                    slope_bias: 0.0,
                 }),
+                samples,
+                blend: Some(OVER),
                 ..plain
             },
         };
@@ -223,7 +231,7 @@ fn build(device: &wgpu::Device, recipe: &Recipe<'_>) -> wgpu::RenderPipeline {
     });
     let targets = [recipe.format.map(|format| wgpu::ColorTargetState {
         format,
-        blend: recipe.blend.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+        blend: recipe.blend,
         write_mask: wgpu::ColorWrites::ALL,
     })];
     let fragment = recipe.fragment.map(|entry| wgpu::FragmentState {

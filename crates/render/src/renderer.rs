@@ -111,7 +111,7 @@ impl Renderer {
         self.picture_view().ok_or_else(|| DrawError::Driver("the picture's texture is gone".to_owned()))
     }
 
-    /// The last picture, sRGB or, for data passes, plain numbers; `None` before the first.
+    /// The last picture: sRGB numbers, or a data pass's own, in a plain `Unorm` format; `None` before the first.
     pub fn picture(&self) -> Option<&wgpu::Texture> {
         self.target.as_ref().map(|t| &t.picture)
     }
@@ -200,7 +200,7 @@ impl Renderer {
     }
 
     fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
-        let Some(key) = self.target.as_ref().map(|t| t.key) else { return };
+        let Some(msaa) = self.target.as_ref().map(|t| t.key.msaa) else { return };
         let mut draws = match scene.pass {
             Pass::Color => vec![
                 Draw::Soften,
@@ -222,7 +222,7 @@ impl Renderer {
             }
         }
         for draw in draws {
-            self.pipelines.prepare(&self.gpu.device, draw, key);
+            self.pipelines.prepare(&self.gpu.device, draw, msaa);
         }
     }
 
@@ -266,12 +266,39 @@ impl Renderer {
         pass.set_bind_group(0, &self.scene_group, &[]);
         pass.set_bind_group(1, &self.figures.group, &[0]);
         self.draw_figures(&mut pass, scene, is_solid);
-        if scene.pass == Pass::Color {
-            // Behind the figures in depth and after them in time: what they cover is not shaded twice.
-            self.draw_surroundings(&mut pass, scene);
-        }
         self.draw_figures(&mut pass, scene, |view| !is_solid(view));
         self.draw_strokes(&mut pass, strokes);
+        drop(pass);
+        if scene.pass == Pass::Color {
+            self.record_surroundings(encoder, target, scene);
+        }
+    }
+
+    /// Grid, shadow and background, put under the resolved figures: nothing of theirs needs samples or depth.
+    fn record_surroundings(&self, encoder: &mut wgpu::CommandEncoder, target: &Target, scene: &Scene<'_>) {
+        let above = scene.camera.eye().y > 0.0;
+        let wanted = [
+            (Draw::Grid, scene.look.grid && !scene.look.transparent),
+            (Draw::Shade, above && self.casts_shadow(scene)),
+            (Draw::Backdrop, !scene.look.transparent),
+        ];
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("surroundings"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &target.view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, &self.scene_group, &[]);
+        pass.set_bind_group(2, &self.shadow.soft_group, &[]);
+        for (draw, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
+            if self.set_pipeline(&mut pass, draw) {
+                pass.draw(0..4, 0..1);
+            }
+        }
     }
 
     fn draw_figures(
@@ -288,21 +315,6 @@ impl Renderer {
                 self.draw_skin(pass, Draw::Ghost { two_sided }, i, view);
             }
             self.draw_skin(pass, Draw::Figure { fragment, two_sided }, i, view);
-        }
-    }
-
-    fn draw_surroundings(&self, pass: &mut wgpu::RenderPass<'_>, scene: &Scene<'_>) {
-        let above = scene.camera.eye().y > 0.0;
-        let wanted = [
-            (Draw::Backdrop, !scene.look.transparent),
-            (Draw::Shade, above && self.casts_shadow(scene)),
-            (Draw::Grid, scene.look.grid && !scene.look.transparent),
-        ];
-        pass.set_bind_group(2, &self.shadow.soft_group, &[]);
-        for (draw, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
-            if self.set_pipeline(pass, draw) {
-                pass.draw(0..4, 0..1);
-            }
         }
     }
 
@@ -336,7 +348,7 @@ impl Renderer {
     }
 
     fn set_pipeline(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw) -> bool {
-        let pipeline = self.target.as_ref().and_then(|t| self.pipelines.get(draw, t.key));
+        let pipeline = self.target.as_ref().and_then(|t| self.pipelines.get(draw, t.key.msaa));
         if let Some(pipeline) = pipeline {
             pass.set_pipeline(pipeline);
         }

@@ -5,23 +5,22 @@ use crate::scene::{Msaa, Pass};
 /// Format of depth buffers and of the shadow map.
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
+/// Format of every picture. Light is stored encoded for the eye (sRGB numbers) in a texture that does not know it:
+/// blending, resolving and blitting then cost no conversion, and data passes keep their numbers.
+pub(crate) const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
 /// What a picture's textures depend on.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(crate) struct TargetKey {
     pub size: [u32; 2],
     pub msaa: Msaa,
-    pub format: wgpu::TextureFormat,
 }
 
 impl TargetKey {
-    /// The textures of a pass. Data passes hold numbers, not light, and depth and normals must not mix at edges.
+    /// The textures of a pass. Depth and normals must not mix at edges.
     pub fn of(pass: Pass, size: [u32; 2], msaa: Msaa) -> TargetKey {
-        let format = match pass {
-            Pass::Color | Pass::OpenPose => wgpu::TextureFormat::Rgba8UnormSrgb,
-            Pass::Depth | Pass::Normal | Pass::Silhouette => wgpu::TextureFormat::Rgba8Unorm,
-        };
         let msaa = if matches!(pass, Pass::Depth | Pass::Normal) { Msaa::One } else { msaa };
-        TargetKey { size, msaa, format }
+        TargetKey { size, msaa }
     }
 }
 
@@ -52,12 +51,13 @@ impl Target {
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
         let samples = key.msaa.samples();
-        let picture = texture("picture", 1, key.format, drawn | read);
+        let picture = texture("picture", 1, PICTURE_FORMAT, drawn | read);
         let view_of = |t: &wgpu::Texture| t.create_view(&wgpu::TextureViewDescriptor::default());
         Target {
             view: view_of(&picture),
             depth: view_of(&texture("picture depth", samples, DEPTH_FORMAT, drawn)),
-            samples: (samples > 1).then(|| view_of(&texture("picture samples", samples, key.format, drawn))),
+            samples: (samples > 1)
+                .then(|| view_of(&texture("picture samples", samples, PICTURE_FORMAT, drawn))),
             picture,
             key,
         }

@@ -106,15 +106,11 @@ fn unit(color: Color) -> [f32; 4] {
 }
 
 /// Linear light; alpha as it is.
-pub(crate) fn linear(color: Color) -> [f32; 4] {
+fn linear(color: Color) -> [f32; 4] {
     let [r, g, b, a] = unit(color);
     [linear_from_srgb(r), linear_from_srgb(g), linear_from_srgb(b), a]
 }
 
-pub(crate) fn linear_from_srgb(c: f32) -> f32 {
+fn linear_from_srgb(c: f32) -> f32 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-}
-
-pub(crate) fn srgb_from_linear(c: f32) -> f32 {
-    if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }

@@ -1,0 +1,40 @@
+//! Draws a number of pictures of a moving body, for timing from outside:
+//! `time frames COUNT [msaa1] [noshadow] [half] [empty]`. The cost of a picture is the slope over COUNT.
+#![allow(clippy::unwrap_used)]
+
+use glam::DQuat;
+use render::{FigureView, Gpu, Look, Msaa, Renderer, Scene};
+use rig::{Bone, Camera, View};
+
+#[path = "../tests/body/mod.rs"]
+mod body;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let has = |word: &str| args.iter().any(|a| a == word);
+    let count: u32 = args.first().map_or(10, |n| n.parse().unwrap());
+    let gpu = Gpu::headless().unwrap();
+    let mut renderer = Renderer::new(&gpu);
+    renderer.set_mesh(0, &body::mesh()).unwrap();
+    let look = Look {
+        msaa: if has("msaa1") { Msaa::One } else { Msaa::Four },
+        shadow: !has("noshadow"),
+        grid: !has("nogrid"),
+        transparent: has("transparent"),
+        scale: if has("half") { 0.5 } else { 1.0 },
+        ..Look::default()
+    };
+    for i in 0..count {
+        let turn = DQuat::from_rotation_z(-0.8 + 0.02 * f64::from(i % 40));
+        let palette =
+            body::posed(&[(Bone::LeftUpperArm, turn), (Bone::Chest, turn.slerp(DQuat::IDENTITY, 0.8))]);
+        let figures = [FigureView::new(&palette)];
+        let shown = if has("empty") { &figures[..0] } else { &figures[..] };
+        let camera = Camera::view(View::ThreeQuarter, renderer.bounds(&figures), 1.6);
+        let scene = Scene { look, ..Scene::new(shown, camera, [1280, 800]) };
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        renderer.draw(&mut encoder, &scene).unwrap();
+        gpu.queue.submit([encoder.finish()]);
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
+    }
+}
