@@ -1,6 +1,6 @@
 //! Two numbers that make a line of sight meet its goal: damped Newton steps on the sphere of directions.
 
-use glam::{DMat2, DVec2, DVec3};
+use glam::{DMat2, DQuat, DVec2, DVec3};
 
 /// The angle in radians below which a line of sight has met its goal.
 pub const AIM_TOLERANCE_RAD: f64 = 1e-12;
@@ -11,8 +11,9 @@ pub const AIM_STEPS: u32 = 48;
 /// Input for which an aim has no answer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum AimError {
-    /// Some number is NaN, infinite or beyond 1e100, or a rotation has no length.
-    #[error("a number is not finite")]
+    /// Some number is NaN, infinite or beyond 1e100, or a rotation is not one: it has no length, or a
+    /// residue not that of a unit.
+    #[error("a number is not finite, or a rotation is not one")]
     NotFinite,
     /// The line that should be aimed has no length or an axis has none.
     #[error("what should be aimed has no direction")]
@@ -87,13 +88,18 @@ pub(crate) fn aim(
     Some(Aimed { at, off: miss.length(), steps })
 }
 
+/// Whether a quaternion is a rotation.
+pub(crate) fn is_turn(q: DQuat) -> bool {
+    q.is_finite() && q.is_normalized()
+}
+
 /// The first start that reaches, else the best; the others are for the rare case in which the first
 /// one ends in a blind alley.
 pub(crate) fn best_of(starts: [DVec2; 3], from: impl Fn(DVec2) -> Option<Aimed>) -> Option<Aimed> {
     let mut best: Option<Aimed> = None;
     for start in starts {
         let Some(found) = from(start) else { continue };
-        if best.is_none_or(|best| found.off < best.off - 1e-3) {
+        if found.off <= AIM_TOLERANCE_RAD || best.is_none_or(|best| found.off < best.off - 1e-3) {
             best = Some(found);
         }
         if best.is_some_and(|best| best.off <= AIM_TOLERANCE_RAD) {

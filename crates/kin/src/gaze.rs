@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::aim::{AIM_TOLERANCE_RAD, AimError, Sight, aim, best_of};
+use crate::aim::{AIM_TOLERANCE_RAD, AimError, Sight, aim, best_of, is_turn};
 use crate::limb::{usable, wrapped};
 use crate::spine::{Bend, Column, ColumnState};
 
@@ -136,8 +136,10 @@ impl<const N: usize> Gaze<N> {
     ///
     /// A target that is looked at already changes nothing. The eye point moves as the head turns, so damped
     /// Newton steps follow a closed-form start: at most [`AIM_STEPS`](crate::AIM_STEPS). A target inside the
-    /// sphere that the eye point sweeps may have no answer; the nearest found comes with the angle that is
-    /// missing. Ranges are the caller's: clamp the joints of [`Gaze::pose`], then let each [`Eye`] take the rest.
+    /// sphere that the eye point sweeps may have no answer, nor one nearer to the neck's upright than an eye
+    /// is off the middle; the nearest found comes with the angle that is missing. Ranges are the caller's:
+    /// clamp the joints of [`Gaze::pose`], then let each [`Eye`](crate::Eye) take the rest.
+    ///
     /// Straight up and down the yaw is free: a target that passes overhead within 20 degrees of the pole is
     /// followed over it by a nod, one beyond by turning round.
     ///
@@ -145,7 +147,7 @@ impl<const N: usize> Gaze<N> {
     /// A target at the eye point, numbers that are not finite.
     pub fn solve(&self, present: &GazeState<N>, target: DVec3) -> Result<GazeSolution<N>, AimError> {
         let angles = DVec3::new(present.yaw, present.pitch, present.roll);
-        if !usable(target) || !usable(angles) || !present.residues.iter().all(|r| r.is_finite()) {
+        if !usable(target) || !usable(angles) || !present.residues.iter().all(|r| is_turn(*r)) {
             return Err(AimError::NotFinite);
         }
         let sight = |at: DVec2| {

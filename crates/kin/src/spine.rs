@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::aim::{AIM_TOLERANCE_RAD, AimError, Aimed, Sight, aim, best_of};
+use crate::aim::{AIM_TOLERANCE_RAD, AimError, Aimed, Sight, aim, best_of, is_turn};
 use crate::ball::{rotation_vector, swing_twist};
 use crate::carrier::arc;
 use crate::limb::usable;
@@ -167,8 +167,9 @@ impl<const N: usize> Column<N> {
         let mut turn = DQuat::IDENTITY;
         let mut turns = [DQuat::IDENTITY; N];
         for (out, local) in turns.iter_mut().zip(locals) {
+            // Also refuses lengths whose square overflows or vanishes.
             let unit = local.normalize();
-            if !unit.is_finite() {
+            if !is_turn(unit) {
                 return Err(AimError::NotFinite);
             }
             turn *= unit;
@@ -198,7 +199,7 @@ impl<const N: usize> Column<N> {
         twist: f64,
     ) -> Result<ColumnSolution<N>, AimError> {
         let numbers = usable(toward) && usable(present.bend.swing) && twist.is_finite();
-        if !numbers || !present.residues.iter().all(|r| r.is_finite()) {
+        if !numbers || !present.residues.iter().all(|r| is_turn(*r)) {
             return Err(AimError::NotFinite);
         }
         let goal = toward.try_normalize().ok_or(AimError::NoAim)?;

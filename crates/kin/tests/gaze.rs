@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec3};
-use kin::{AimError, Ball, Eye, Gaze, GazeState, Interval};
+use kin::{AimError, Ball, Eye, Gaze, GazeState, Interval, wrapped};
 use proptest::prelude::*;
 use seeded::Seeded;
 
@@ -68,7 +68,11 @@ fn every_target_in_front_is_met_and_nothing_rolls() {
         let gaze = awkward(&mut s);
         let state = gaze.recover(&posed(&mut s, [0.0, 0.4][i % 2])).unwrap();
         let toward = s.direction();
-        let target = DVec3::new(toward.x, 0.8 * toward.y, toward.z.abs()) * s.between(0.5, 20.0);
+        let target = DVec3::new(toward.x, toward.y, toward.z.abs()) * s.between(0.5, 20.0);
+        // An eye off the middle can't see what is straight below the neck: its sight passes beside it.
+        if toward.y.abs() > 0.9 {
+            continue;
+        }
         let solved = gaze.solve(&state, target).unwrap();
         steps += solved.steps;
         assert!(solved.reached(), "{target} {solved:?}");
@@ -77,7 +81,12 @@ fn every_target_in_front_is_met_and_nothing_rolls() {
         assert!(angle(target - eye, along) < 2e-12);
         let again = gaze.recover(&locals).unwrap();
         assert_eq!((solved.state.roll, solved.state.residues), (state.roll, state.residues));
-        assert!((again.roll - state.roll).abs() < 1e-10 && (again.yaw - solved.state.yaw).abs() < 1e-10);
+        assert!(furthest(&gaze.pose(&again), &locals) < 1e-12);
+        // Toward the pole yaw and roll run into each other.
+        if solved.state.pitch.abs() < 1.5 {
+            let (yaw, roll) = (wrapped(again.yaw - solved.state.yaw), again.roll - state.roll);
+            assert!(yaw.abs() < 1e-12 && roll.abs() < 1e-12, "{yaw:e} {roll:e}");
+        }
     }
     assert!(steps < 5 * 50_000, "{steps} Newton steps");
 }
@@ -155,7 +164,7 @@ fn straight_up_and_down_have_an_answer() {
 #[test]
 fn a_target_inside_the_head_has_a_finite_answer() {
     let mut s = Seeded(5);
-    for _ in 0..20_000 {
+    for _ in 0..4_000 {
         let target = s.direction() * s.between(0.0, 0.2);
         if let Ok(solved) = gaze().solve(&GazeState::REST, target) {
             assert!(solved.residual_rad.is_finite() && solved.residual_rad <= PI);

@@ -298,8 +298,16 @@ fn numbers_that_are_not_finite_are_named_in_every_place() {
         assert_eq!(Column::new([DVec3::Y, DVec3::Y * bad]), Err(AimError::NotFinite));
         assert_eq!(Column::about([DVec3::Y], DVec3::Y * bad), Err(AimError::NotFinite));
     }
-    let zero = DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0);
-    assert_eq!(straight().recover(&[zero; 3]), Err(AimError::NotFinite));
+}
+
+#[test]
+fn turns_without_a_usable_length_are_refused_and_others_are_made_unit() {
+    for length in [0.0, 1e-200, 1e200] {
+        assert_eq!(straight().recover(&[DQuat::IDENTITY * length; 3]), Err(AimError::NotFinite));
+        let state = ColumnState { residues: [DQuat::IDENTITY * length; 3], ..ColumnState::REST };
+        assert_eq!(straight().solve(&state, DVec3::Y, 0.0), Err(AimError::NotFinite));
+    }
+    assert_eq!(straight().recover(&[DQuat::IDENTITY * 3.0; 3]), Ok(ColumnState::REST));
 }
 
 #[test]
