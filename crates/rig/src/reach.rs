@@ -90,7 +90,7 @@ impl<'a> Grip<'a> {
         };
         let reach = reach.map_err(fault)?;
         self.rig.write(self.figure, pose, &reach.state);
-        Ok(reach.limited)
+        Ok(reach.limited || reach.residual > MET)
     }
 
     /// Brings the limb to the target of a contact: the pose's root, hinge and, if planted, end.
@@ -133,7 +133,7 @@ impl<'a> Grip<'a> {
             limited = self.bring(pose, frames, joint, joint_target, &self.kept)?;
             stopped = self.turn(pose, frames, rotation);
         }
-        if !stopped && self.place(pose, frames, at.bone, at.at).distance(target) <= 1e-9 {
+        if !stopped && self.place(pose, frames, at.bone, at.at).distance(target) <= MET {
             return Ok(limited);
         }
         for round in 0..PLANT_ROUNDS {
@@ -235,6 +235,9 @@ impl<'a> Grip<'a> {
         Ok(reach.limited)
     }
 }
+
+/// How near an articulator has met its target, metres.
+const MET: f64 = 1e-9;
 
 /// Rounds in which a planted end that can't keep its rotation settles between rotation and place.
 const PLANT_ROUNDS: usize = 3;

@@ -105,7 +105,7 @@ impl<'a> Turner<'a> {
     fn keeps(&self, degrees: f64) -> bool {
         let (limb, figure) = (self.grip.rig.limb, self.grip.figure);
         let (Ok(pose), Contact::Point { space, target }) = (self.turned(degrees), self.contact) else { return false };
-        articulator_in(figure, &pose, limb, space).distance(target) <= self.missed + 1e-9
+        articulator_in(figure, &pose, limb, space).distance(target) <= self.missed + 1e-11
     }
 
     /// A planted end was turned on purpose: its new rotation is the one to keep.
