@@ -1,3 +1,75 @@
-//! Placeholder.
-/// Sculpt.
-pub fn run(_args: &[String]) -> anyhow::Result<()> { Ok(()) }
+//! Sculpting the shipped figure: shapes along the bones of a skeleton, made into one skinned mesh.
+//!
+//! `cargo xtask sculpt` writes the figure's skin anew; with `--preview DIR` it only draws it, posed and from all
+//! sides, into a folder. The same skeleton gives the same bytes.
+
+mod assemble;
+mod blend;
+mod body;
+mod curve;
+mod eyes;
+mod field;
+mod fit;
+mod foot;
+mod hand;
+mod head;
+mod limbs;
+mod nets;
+mod paint;
+mod part;
+mod posing;
+mod preview;
+mod remesh;
+mod shape;
+mod torso;
+mod views;
+mod weights;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail};
+use rig::{Mesh, Skeleton};
+
+/// The folder of the shipped figure.
+fn figures() -> PathBuf {
+    crate::root().join("assets/figures")
+}
+
+/// `sculpt` writes the figure's skin, `sculpt --preview DIR` draws it into a folder instead.
+///
+/// # Errors
+/// Unknown arguments, an unreadable skeleton, a mesh with a fault, files that cannot be written.
+pub fn run(args: &[String]) -> anyhow::Result<()> {
+    let skeleton = skeleton(&figures().join("mannequin.urdf"))?;
+    let mesh = mesh(&skeleton)?;
+    println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
+    match args {
+        [] => {
+            let path = figures().join("mannequin.glb");
+            let bytes = interchange::glb::write(&mesh, &skeleton, "mannequin");
+            std::fs::write(&path, &bytes).with_context(|| format!("cannot write {}", path.display()))?;
+            println!("wrote {}, {} bytes", path.display(), bytes.len());
+            Ok(())
+        }
+        [flag, folder] if flag == "--preview" => views::write(&mesh, &skeleton, Path::new(folder)),
+        _ => bail!("sculpt takes nothing or `--preview DIR`, not `{}`", args.join(" ")),
+    }
+}
+
+fn skeleton(path: &Path) -> anyhow::Result<Skeleton> {
+    let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let (skeleton, _) = interchange::urdf::read(&text, &BTreeMap::new())
+        .with_context(|| format!("{} is no skeleton", path.display()))?;
+    Ok(skeleton)
+}
+
+/// The skin that fits a skeleton.
+fn mesh(skeleton: &Skeleton) -> anyhow::Result<Mesh> {
+    let field = body::field(skeleton);
+    let mesh = assemble::mesh(&field, skeleton, |p, bend| body::edge_length(skeleton, p, bend));
+    match mesh.fault() {
+        Some(fault) => bail!("the sculpted mesh is faulty: {fault}"),
+        None => Ok(mesh),
+    }
+}

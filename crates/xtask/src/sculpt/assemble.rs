@@ -1,0 +1,83 @@
+//! The half mesh, its mirror image and the eyes as one skinned mesh.
+
+use glam::DVec3;
+use rig::{Bone, Mesh, Skeleton};
+
+use super::eyes;
+use super::field::{Field, Lookup};
+use super::nets::{Surface, polygonize};
+use super::paint;
+use super::remesh::Remesh;
+use super::weights::{Weigher, half_shares, rounded};
+
+/// One vertex of the left half.
+struct Vertex {
+    place: DVec3,
+    normal: DVec3,
+    color: DVec3,
+    joints: [u8; 4],
+    weights: [u16; 4],
+}
+
+/// The whole skin of a field on its skeleton; `size` is the wanted edge length at a point of given curvature (1/m).
+pub fn mesh(field: &Field, skeleton: &Skeleton, size: impl Fn(DVec3, f64) -> f64) -> Mesh {
+    let (net, lookup) = polygonize(field);
+    let half = Remesh::new(&net, &lookup, size).finish(4);
+    let mut mesh = Mesh::default();
+    add_twice(&mut mesh, &half.triangles, &skin(&half, &lookup, skeleton));
+    if let Some((ball, normals, colors)) = eyes::left(skeleton) {
+        let vertex = |i: usize| Vertex {
+            place: ball.points[i],
+            normal: normals[i],
+            color: colors[i],
+            joints: [Bone::LeftEye.index() as u8, 0, 0, 0],
+            weights: [u16::MAX, 0, 0, 0],
+        };
+        let vertices: Vec<Vertex> = (0..ball.points.len()).map(vertex).collect();
+        add_twice(&mut mesh, &ball.triangles, &vertices);
+    }
+    mesh
+}
+
+fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex> {
+    let shares = half_shares(half, &Weigher::new(skeleton, lookup.field));
+    half.points
+        .iter()
+        .zip(&shares)
+        .map(|(&place, shares)| {
+            let normal = lookup.normal(place);
+            let (joints, weights) = rounded(shares);
+            Vertex { place, normal, color: paint::skin(skeleton, lookup, place, normal), joints, weights }
+        })
+        .collect()
+}
+
+/// Adds the left half and its mirror image; vertices on the middle plane serve both.
+fn add_twice(mesh: &mut Mesh, triangles: &[[u32; 3]], half: &[Vertex]) {
+    let first = mesh.positions.len() as u32;
+    half.iter().for_each(|v| push(mesh, v, false));
+    let mut twin = Vec::with_capacity(half.len());
+    for (i, vertex) in half.iter().enumerate() {
+        if vertex.place.x == 0.0 {
+            twin.push(first + i as u32);
+        } else {
+            twin.push(mesh.positions.len() as u32);
+            push(mesh, vertex, true);
+        }
+    }
+    for [a, b, c] in triangles {
+        mesh.indices.extend([first + a, first + b, first + c]);
+        mesh.indices.extend([a, c, b].map(|v| twin[*v as usize]));
+    }
+}
+
+fn push(mesh: &mut Mesh, vertex: &Vertex, mirrored: bool) {
+    let side = |v: DVec3| if mirrored { DVec3::new(-v.x, v.y, v.z) } else { v };
+    mesh.positions.push(side(vertex.place).as_vec3().to_array());
+    mesh.normals.push(side(vertex.normal).as_vec3().normalize().to_array());
+    mesh.colors.push(vertex.color.as_vec3().to_array());
+    let bone = |b: u8| Bone::ALL[usize::from(b)].mirrored().index() as u8;
+    let used = |(b, w): (u8, u16)| if mirrored && w > 0 { bone(b) } else { b };
+    mesh.joints.push(std::array::from_fn(|i| used((vertex.joints[i], vertex.weights[i]))));
+    mesh.weights.push(vertex.weights);
+}
