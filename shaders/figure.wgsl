@@ -47,7 +47,7 @@ fn lit(at: vec3<f32>) -> f32 {
 }
 
 const KEY: vec3<f32> = vec3<f32>(1.36, 1.27, 1.15);
-const FILL: vec3<f32> = vec3<f32>(0.14, 0.155, 0.18);
+const FILL: vec3<f32> = vec3<f32>(0.160, 0.165, 0.175);
 const SKY: vec3<f32> = vec3<f32>(0.235, 0.265, 0.315);
 const GROUND: vec3<f32> = vec3<f32>(0.105, 0.094, 0.085);
 const RIM: vec3<f32> = vec3<f32>(0.30, 0.34, 0.40);
@@ -63,7 +63,7 @@ fn shade(in: Surface, n: vec3<f32>) -> vec3<f32> {
     let fill = 0.5 + 0.5 * dot(n, scene.fill.xyz);
     // What is near the ground sees less of the studio.
     let open = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
-    let light = mix(GROUND, SKY, sky) * open + FILL * (fill * fill) + KEY * key;
+    let light = mix(GROUND, SKY, sky) * open + FILL * (fill * fill * fill * scene.fill.w) + KEY * key;
     let half_way = normalize(scene.key.xyz + v);
     let g = max(dot(n, half_way), 0.0);
     let g2 = g * g;

@@ -33,7 +33,7 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
     let fine = lines(in.at, pixel, scene.ground.w, 1.0);
     let metre = lines(in.at, pixel, scene.ground.w * 10.0, 1.2);
     let axis = clamp(vec2(1.3) - abs(in.at) / pixel, vec2(0.0), vec2(1.0));
-    var alpha = max(max(fine.x, fine.y) * 0.09, max(metre.x, metre.y) * 0.22);
+    var alpha = max(max(fine.x, fine.y) * 0.11, max(metre.x, metre.y) * 0.26);
     var color = vec3(0.82, 0.84, 0.87);
     // Along X the z coordinate is zero, and the other way round.
     color = mix(color, vec3(0.86, 0.36, 0.34), axis.y);

@@ -10,7 +10,7 @@ struct Scene {
     eye: vec4<f32>,
     // Unit direction to the key light; w: 1 with shadows, 0 without.
     key: vec4<f32>,
-    // Unit direction to the fill light, which moves with the camera.
+    // Unit direction to the fill light, which moves with the camera; w: its strength.
     fill: vec4<f32>,
     // Width, height and their inverses, pixels.
     viewport: vec4<f32>,

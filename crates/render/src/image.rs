@@ -47,7 +47,10 @@ impl Renderer {
 }
 
 /// Copies a texture of four-byte texels into memory, after the encoder's commands.
-pub(crate) fn read(
+///
+/// # Errors
+/// The driver complains or loses the device.
+pub fn read(
     gpu: &Gpu,
     mut encoder: wgpu::CommandEncoder,
     texture: &wgpu::Texture,

@@ -81,7 +81,7 @@ impl SceneUniform {
             shadow_from_world: light.shadow_from_world.to_cols_array_2d(),
             eye: eye.to_array(),
             key: light.toward.extend(f32::from(u8::from(light.casts))).to_array(),
-            fill: fill.extend(0.0).to_array(),
+            fill: fill.extend(fill_strength(axes.z_axis, light.toward)).to_array(),
             viewport: [width, height, 1.0 / width, 1.0 / height],
             background_top: unit(look.background_top),
             background_bottom: unit(look.background_bottom),
@@ -99,6 +99,12 @@ impl SceneUniform {
         self.clip_from_world = Mat4::IDENTITY.to_cols_array_2d();
         self
     }
+}
+
+/// The fill light takes over as the camera comes round to the side that the key light leaves dark.
+fn fill_strength(toward_viewer: Vec3, toward_key: Vec3) -> f32 {
+    let behind = ((0.35 - toward_viewer.dot(toward_key)) / 1.1).clamp(0.0, 1.0);
+    1.0 + 3.4 * behind * behind
 }
 
 fn unit(color: Color) -> [f32; 4] {

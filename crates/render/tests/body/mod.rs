@@ -5,7 +5,9 @@ use glam::{DQuat, DVec3, Vec3};
 use rig::{Bone, Frame, Frames, Mesh, Palette};
 
 /// Bone, start, end (left side or middle, metres), radii.
-const CAPSULES: [(Bone, [f32; 3], [f32; 3], f32, f32); 18] = [
+type Capsule = (Bone, [f32; 3], [f32; 3], f32, f32);
+
+const CAPSULES: [Capsule; 18] = [
     (Bone::Hips, [0.0, 0.96, 0.0], [0.0, 1.02, 0.0], 0.135, 0.125),
     (Bone::Spine, [0.0, 1.06, 0.01], [0.0, 1.14, 0.01], 0.118, 0.115),
     (Bone::Chest, [0.0, 1.18, 0.01], [0.0, 1.28, 0.0], 0.125, 0.13),

@@ -1,0 +1,197 @@
+//! How each kind of draw uses the device: shader, buffers, depth and blending, as plain data.
+
+use wgpu::CompareFunction::{self, Always, Greater, Less, LessEqual};
+
+use crate::overlay::Stroke;
+use crate::scene::Msaa;
+use crate::shadow::SOFT_FORMAT;
+use crate::skins::VERTEX_LAYOUTS;
+use crate::target::PICTURE_FORMAT;
+
+/// What a pipeline draws.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(crate) enum Draw {
+    /// Depth of the figures from the key light.
+    Shadow { two_sided: bool },
+    /// The figures' shadow on the ground, into a small map of its own.
+    Soften,
+    /// Depth of a translucent figure, so that its far side stays hidden.
+    Ghost { two_sided: bool },
+    /// A figure with one of figure.wgsl's fragment shaders.
+    Figure { fragment: &'static str, two_sided: bool },
+    /// The gradient behind everything.
+    Backdrop,
+    /// The grid on the ground.
+    Grid,
+    /// The figures' shadow on the ground.
+    Shade,
+    /// Lines and points: seen, hidden or both.
+    Strokes(Seen),
+}
+
+/// Which strokes a draw lets through.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(crate) enum Seen {
+    /// Those before everything.
+    Before,
+    /// Those behind something, faintly.
+    Behind,
+    /// All.
+    Always,
+}
+
+/// A shader file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Source {
+    Figure,
+    Shadow,
+    Soften,
+    Backdrop,
+    Ground,
+    Overlay,
+}
+
+/// Which bind groups a draw reads; each has the scene's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Groups {
+    Scene,
+    Figure,
+    /// Figure and shadow map.
+    Lit,
+    /// The soft shadow.
+    Soft,
+}
+
+/// What a draw does with depth.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct DepthRule {
+    pub write: bool,
+    pub compare: CompareFunction,
+    pub slope_bias: f32,
+}
+
+/// How a kind of draw differs from the others.
+#[derive(Clone, Debug)]
+pub(crate) struct Recipe {
+    pub source: Source,
+    pub vertex: &'static str,
+    pub fragment: Option<&'static str>,
+    pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
+    pub groups: Groups,
+    /// `None` draws depth alone.
+    pub format: Option<wgpu::TextureFormat>,
+    pub samples: u32,
+    pub strip: bool,
+    pub cull: Option<wgpu::Face>,
+    pub depth: Option<DepthRule>,
+    pub blend: Option<wgpu::BlendState>,
+}
+
+/// Before what is there.
+const OVER: wgpu::BlendState = wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING;
+
+/// Behind what is there: surroundings come last, one sample a pixel whatever the figures have.
+const UNDER: wgpu::BlendState = {
+    let component = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::OneMinusDstAlpha,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    wgpu::BlendState { color: component, alpha: component }
+};
+
+const SKIN: [Option<wgpu::VertexBufferLayout<'static>>; 1] = {
+    let [skin, _] = VERTEX_LAYOUTS;
+    [Some(skin)]
+};
+const SKIN_AND_SURFACE: [Option<wgpu::VertexBufferLayout<'static>>; 2] = {
+    let [skin, surface] = VERTEX_LAYOUTS;
+    [Some(skin), Some(surface)]
+};
+const STROKES: [Option<wgpu::VertexBufferLayout<'static>>; 1] = [Some(wgpu::VertexBufferLayout {
+    array_stride: size_of::<Stroke>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![
+        0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Unorm8x4, 4 => Float32x4
+    ],
+})];
+
+impl Recipe {
+    /// How to draw that into pictures of so many samples.
+    pub fn of(draw: Draw, msaa: Msaa) -> Recipe {
+        use Source::{Backdrop, Ground, Soften};
+        match draw {
+            Draw::Shadow { two_sided } => Recipe {
+                source: Source::Shadow,
+                vertex: "vs_shadow",
+                fragment: None,
+                buffers: &SKIN,
+                groups: Groups::Figure,
+                format: None,
+                depth: Some(DepthRule { write: true, compare: Less, slope_bias: 2.0 }),
+                ..Recipe::skinned("", two_sided, Less, Msaa::One)
+            },
+            Draw::Soften => Recipe {
+                groups: Groups::Lit,
+                format: Some(SOFT_FORMAT),
+                blend: None,
+                ..Recipe::surroundings(Soften, "vs_soften", "fs_soften")
+            },
+            Draw::Ghost { two_sided } => Recipe::skinned("fs_nothing", two_sided, Less, msaa),
+            Draw::Figure { fragment, two_sided } => Recipe::skinned(fragment, two_sided, LessEqual, msaa),
+            Draw::Backdrop => Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop"),
+            Draw::Grid => Recipe::surroundings(Ground, "vs_grid", "fs_grid"),
+            Draw::Shade => {
+                Recipe { groups: Groups::Soft, ..Recipe::surroundings(Ground, "vs_shade", "fs_shade") }
+            }
+            Draw::Strokes(seen) => Recipe::strokes(seen, msaa),
+        }
+    }
+
+    fn skinned(fragment: &'static str, two_sided: bool, compare: CompareFunction, msaa: Msaa) -> Recipe {
+        Recipe {
+            source: Source::Figure,
+            vertex: "vs_figure",
+            fragment: Some(fragment),
+            buffers: &SKIN_AND_SURFACE,
+            groups: Groups::Lit,
+            format: Some(PICTURE_FORMAT),
+            samples: msaa.samples(),
+            strip: false,
+            cull: (!two_sided).then_some(wgpu::Face::Back),
+            depth: Some(DepthRule { write: true, compare, slope_bias: 0.0 }),
+            blend: Some(OVER),
+        }
+    }
+
+    fn surroundings(source: Source, vertex: &'static str, fragment: &'static str) -> Recipe {
+        Recipe {
+            source,
+            vertex,
+            fragment: Some(fragment),
+            buffers: &[],
+            groups: Groups::Scene,
+            format: Some(PICTURE_FORMAT),
+            samples: 1,
+            strip: true,
+            cull: None,
+            depth: None,
+            blend: Some(UNDER),
+        }
+    }
+
+    fn strokes(seen: Seen, msaa: Msaa) -> Recipe {
+        let (fragment, compare) = match seen {
+            Seen::Before => ("fs_stroke", LessEqual),
+            Seen::Behind => ("fs_hidden", Greater),
+            Seen::Always => ("fs_stroke", Always),
+        };
+        Recipe {
+            buffers: &STROKES,
+            samples: msaa.samples(),
+            depth: Some(DepthRule { write: false, compare, slope_bias: 0.0 }),
+            blend: Some(OVER),
+            ..Recipe::surroundings(Source::Overlay, "vs_stroke", fragment)
+        }
+    }
+}
