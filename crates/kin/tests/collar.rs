@@ -120,6 +120,18 @@ fn a_shoulder_opposite_to_its_target_turns_in_some_plane() {
 }
 
 #[test]
+fn a_shoulder_almost_opposite_to_its_target_is_turned_as_exactly() {
+    for exponent in 1..=18 {
+        let aside = DVec3::new(1.0, -2.0, 3.0).cross(SHOULDER).normalize() * 10.0_f64.powi(-exponent);
+        let target = SHOULDER.normalize() * -0.6 + aside;
+        let found = collar_turn(SHOULDER, target, 0.5);
+        let CollarTurn::Turned(q) = found else { panic!("{found:?}") };
+        assert!(((q * SHOULDER).distance(target) - 0.5).abs() < 1e-15, "{exponent}");
+        assert!(q.xyz().normalize().dot(SHOULDER).abs() < 1e-16, "{exponent}: carries a twist");
+    }
+}
+
+#[test]
 fn exactly_at_full_reach_nothing_turns() {
     let target = SHOULDER + DVec3::new(0.0, 0.0, 0.5);
     assert_eq!(collar_turn(SHOULDER, target, SHOULDER.distance(target)), CollarTurn::Unneeded);

@@ -162,6 +162,19 @@ fn straight_up_and_down_have_an_answer() {
 }
 
 #[test]
+fn a_target_that_passes_overhead_is_followed_by_a_nod() {
+    let mut before: Option<[DQuat; 2]> = None;
+    for i in 0..=1000 {
+        let target = DVec3::new(0.0, 2.0, 0.6 - 1e-3 * f64::from(i));
+        let solved = gaze().solve(&GazeState::REST, target).unwrap();
+        assert!(solved.reached() && solved.state.yaw.abs() < 1e-9, "step {i}: {solved:?}");
+        let locals = gaze().pose(&solved.state);
+        assert!(before.is_none_or(|before| furthest(&before, &locals) < 0.005), "step {i}");
+        before = Some(locals);
+    }
+}
+
+#[test]
 fn a_target_inside_the_head_has_a_finite_answer() {
     let mut s = Seeded(5);
     for _ in 0..4_000 {
