@@ -1,8 +1,24 @@
 //! Posewright, the program: command line, window and disk around the crates that do the work.
 
 pub mod cli;
+mod dialogs;
 pub mod disk;
 pub mod failure;
+mod labels;
 pub mod load;
+mod number;
+mod painter;
+mod panels;
 pub mod picture;
+mod rail;
+mod session;
+mod status_line;
+mod theme;
+mod toolbar;
+mod viewport;
 pub mod window;
+
+pub use panels::{Panels, Section};
+pub use session::{Session, Status};
+pub use theme::apply as apply_theme;
+pub use viewport::{Viewport, install as install_picture};

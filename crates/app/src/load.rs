@@ -83,6 +83,14 @@ pub fn pose(figure: &Figure, path: &Path) -> Result<Pose, Failure> {
     Ok(patch(figure, path)?.onto(&figure.rest_pose()))
 }
 
+/// The pose in which the window opens: relaxed, both feet planted.
+///
+/// # Errors
+/// The figure lacks what the pose names.
+pub fn standing(figure: &Figure) -> Result<Pose, Failure> {
+    Ok(figure.rest_pose())
+}
+
 /// An editor that shows a file: a pose, or what a script makes of the figure at rest.
 ///
 /// # Errors

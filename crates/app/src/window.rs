@@ -1,25 +1,52 @@
-//! The window. (Signatures that the command line calls; the window's author fills them in.)
+//! The window: its event loop, and the same window drawn without a display.
+
+mod display;
+mod frames;
+mod offscreen;
+mod screen;
+mod ui_map;
 
 use std::path::{Path, PathBuf};
 
 use edit::Editor;
-use render::Image;
 
 use crate::failure::Failure;
-use crate::picture::Shot;
+use crate::load::{self, Kind};
+use crate::session::Session;
+
+pub use offscreen::{session_picture, ui_picture};
 
 /// Opens the window on files and returns when it is closed.
 ///
-/// # Errors
-/// No display or no adapter, with the cure; files at fault.
-pub fn run(_files: &[PathBuf], _ui_map: Option<&Path>) -> Result<(), Failure> {
-    Err(Failure::NoScreen("no window yet".to_owned()))
-}
-
-/// Draws the whole window, panels included, without a display.
+/// Without a file the figure stands relaxed. A figure file brings the figure, another file its pose.
+/// With `ui_map` the place of every labelled control is written there after each frame.
 ///
 /// # Errors
-/// No adapter.
-pub fn ui_picture(_editor: &Editor, _file: &Path, _shot: &Shot) -> Result<Image, Failure> {
-    Err(Failure::NoScreen("no window yet".to_owned()))
+/// No display or no adapter, with the cure; files at fault.
+pub fn run(files: &[PathBuf], ui_map: Option<&Path>) -> Result<(), Failure> {
+    let session = session(files)?;
+    frames::run(session, ui_map.map(Path::to_owned))
+}
+
+/// The session that a command line asks for.
+fn session(files: &[PathBuf]) -> Result<Session, Failure> {
+    let mut figure = None;
+    let mut shown = None;
+    for path in files {
+        let place = if Kind::of(path)? == Kind::Figure { &mut figure } else { &mut shown };
+        if let Some(former) = place.replace(path) {
+            let message = format!("{} and {}: only one can be open", former.display(), path.display());
+            return Err(Failure::Usage(message));
+        }
+    }
+    let figure = load::figure(figure.map(PathBuf::as_path))?;
+    let Some(path) = shown else {
+        let pose = load::standing(&figure)?;
+        return Ok(Session::new(Editor::in_pose(figure, pose), None));
+    };
+    if Kind::of(path)? == Kind::Pose {
+        let pose = load::pose(&figure, path)?;
+        return Ok(Session::new(Editor::in_pose(figure, pose), Some(path.clone())));
+    }
+    load::editor(&figure, path).map(|editor| Session::new(editor, None))
 }

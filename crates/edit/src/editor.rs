@@ -74,6 +74,13 @@ impl Editor {
         Editor { figure, document, evaluation, past: Vec::new(), future: Vec::new(), gesture: None, revision: 0 }
     }
 
+    /// An editor with the figure in a pose, and nothing to undo.
+    pub fn in_pose(figure: Arc<Figure>, pose: Pose) -> Editor {
+        let document = Document { pose, ranges: true };
+        let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
+        Editor { document, evaluation, ..Editor::new(figure) }
+    }
+
     /// The figure.
     pub fn figure(&self) -> &Arc<Figure> {
         &self.figure

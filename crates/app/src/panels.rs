@@ -1,0 +1,118 @@
+//! The panel of sliders: one section a part of the body. It shows the editor's pose and returns what is asked for;
+//! of its own it keeps only what is open and what is chosen.
+
+mod figure;
+mod hand;
+mod head;
+mod joints;
+mod limb;
+mod point;
+mod row;
+mod section;
+mod torso;
+
+use edit::{Command, Editor, Request};
+use egui::{ScrollArea, Ui};
+use rig::{Bone, Part, Side};
+
+use crate::rail::Change;
+pub use section::Section;
+
+/// What the panel itself remembers: how it is looked at, nothing of the pose.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Panels {
+    open: [bool; Section::ALL.len()],
+    selected: Option<Bone>,
+    reveal: bool,
+    /// How much of a handshape a click takes on, 0 to 1, left and right.
+    shape_amount: [f64; 2],
+    /// How far ahead the point lies that the eyes look at, metres.
+    gaze_m: f64,
+}
+
+impl Default for Panels {
+    fn default() -> Panels {
+        let mut open = [false; Section::ALL.len()];
+        open[Section::Body(Part::LeftArm).index()] = true;
+        Panels { open, selected: None, reveal: false, shape_amount: [1.0; 2], gaze_m: 1.0 }
+    }
+}
+
+impl Panels {
+    /// The bone chosen in the picture or in the panel.
+    pub fn selected(&self) -> Option<Bone> {
+        self.selected
+    }
+
+    /// Chooses a bone; its section opens and scrolls to it.
+    pub fn select(&mut self, bone: Option<Bone>) {
+        self.selected = bone;
+        if let Some(bone) = bone {
+            self.open[Section::Body(bone.part()).index()] = true;
+            self.reveal = true;
+        }
+    }
+
+    /// Opens or closes a section.
+    pub fn set_open(&mut self, section: Section, open: bool) {
+        self.open[section.index()] = open;
+    }
+
+    /// Shows the panel; returns what was asked for.
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor) -> Vec<Request> {
+        let mut sheet = Sheet { editor, panels: self, requests: Vec::new() };
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            for section in Section::ALL {
+                sheet.section(ui, section);
+            }
+            ui.add_space(12.0);
+        });
+        let requests = std::mem::take(&mut sheet.requests);
+        self.reveal = false;
+        requests
+    }
+
+    fn amount(&mut self, side: Side) -> &mut f64 {
+        &mut self.shape_amount[side as usize]
+    }
+}
+
+/// One pass over the panel: what it reads, and what it gathers.
+struct Sheet<'a> {
+    editor: &'a Editor,
+    panels: &'a mut Panels,
+    requests: Vec<Request>,
+}
+
+impl Sheet<'_> {
+    fn section(&mut self, ui: &mut Ui, section: Section) {
+        let index = section.index();
+        let header = section::header(ui, section, self.panels.open[index]);
+        if header.toggled {
+            self.panels.open[index] = !self.panels.open[index];
+        }
+        self.requests.extend(header.request);
+        if !self.panels.open[index] {
+            return;
+        }
+        egui::Frame::new().inner_margin(egui::Margin { left: 8, right: 6, top: 4, bottom: 8 }).show(
+            ui,
+            |ui| match section {
+                Section::Figure => self.figure(ui),
+                Section::Body(Part::Torso) => self.torso(ui),
+                Section::Body(Part::Head) => self.head(ui),
+                Section::Body(Part::LeftHand) => self.hand(ui, Side::Left),
+                Section::Body(Part::RightHand) => self.hand(ui, Side::Right),
+                Section::Body(part) => self.limb(ui, part),
+            },
+        );
+    }
+
+    /// Asks for the command of a changed value.
+    fn ask(&mut self, change: Option<Change>, command: impl FnOnce(f64) -> Command) {
+        self.requests.extend(change.map(|change| match change {
+            Change::Preview(value) => Request::Preview(command(value)),
+            Change::Set(value) => Request::Do(command(value)),
+        }));
+    }
+}

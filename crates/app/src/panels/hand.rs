@@ -1,0 +1,61 @@
+//! Fingers, joint by joint, and whole handshapes.
+
+use edit::{Command, Request};
+use egui::Ui;
+use kin::Interval;
+use rig::{Bone, Part, Side};
+
+use super::{Sheet, row};
+use crate::number::Number;
+use crate::rail::{Change, Rail};
+use crate::{labels, theme};
+
+impl Sheet<'_> {
+    pub(super) fn hand(&mut self, ui: &mut Ui, side: Side) {
+        row::subtitle(ui, "Handshape");
+        self.handshapes(ui, side);
+        self.amount(ui, side);
+        row::subtitle(ui, "Fingers");
+        let part = match side {
+            Side::Left => Part::LeftHand,
+            Side::Right => Part::RightHand,
+        };
+        let fingers: Vec<Bone> = Bone::ALL.into_iter().filter(|bone| bone.part() == part).collect();
+        self.joints(ui, &fingers);
+    }
+
+    fn handshapes(&mut self, ui: &mut Ui, side: Side) {
+        let amount = *self.panels.amount(side);
+        let editor = self.editor;
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
+            ui.horizontal_wrapped(|ui| {
+                for name in editor.figure().handshapes.keys() {
+                    let button = egui::Button::new(egui::RichText::new(labels::articulator(name)).size(12.0));
+                    let called = format!("{} handshape · {name}", labels::side(side));
+                    if ui.add(button).accessible_name(called).clicked() {
+                        let command = Command::Handshape { side, name: name.clone(), amount };
+                        self.requests.push(Request::Do(command));
+                    }
+                }
+            });
+        });
+    }
+
+    fn amount(&mut self, ui: &mut Ui, side: Side) {
+        let name = format!("{} handshape amount", labels::side(side));
+        let columns = row::next(ui);
+        let tip = "How far a click goes from the hand as it is to the shape";
+        row::text(ui, columns.joint, "Amount", theme::TEXT).on_hover_text(tip);
+        let value = *self.panels.amount(side) * 100.0;
+        let span = Interval::new(0.0, 100.0);
+        let rail = Rail { name: &name, value, span, live: Some(span), wraps: false, rest: 0.0 };
+        let wide = egui::Rect::from_min_max(columns.angle.min, columns.rail.max);
+        let (_, by_rail) = rail.show(ui, wide);
+        let number = Number { suffix: " %", decimals: 0, ..Number::degrees(&name, value) };
+        let (_, by_number) = number.show(ui, columns.number);
+        if let Some(Change::Preview(percent) | Change::Set(percent)) = by_rail.or(by_number) {
+            *self.panels.amount(side) = percent.clamp(0.0, 100.0) / 100.0;
+        }
+    }
+}

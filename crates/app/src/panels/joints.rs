@@ -1,0 +1,103 @@
+//! A row for every degree of freedom of a joint.
+
+use edit::{By, Command};
+use egui::{Role, Sense, Ui, WidgetInfo};
+use kin::Interval;
+use rig::{Bone, Dof};
+
+use super::{Sheet, row};
+use crate::number::Number;
+use crate::rail::Rail;
+use crate::{labels, theme};
+
+impl Sheet<'_> {
+    /// The rows of these bones' joints, in the order in which their angles apply.
+    pub(super) fn joints(&mut self, ui: &mut Ui, bones: &[Bone]) {
+        for &bone in bones {
+            let mut former = "";
+            for slider in self.sliders(bone) {
+                let name = labels::joint_of(bone, slider.dof);
+                self.turn_row(ui, bone, &slider, if name == former { "" } else { name });
+                former = name;
+            }
+        }
+    }
+
+    fn sliders(&self, bone: Bone) -> Vec<rig::Slider> {
+        let document = self.editor.document();
+        rig::sliders(self.editor.figure(), &document.pose, bone, document.ranges)
+    }
+
+    fn turn_row(&mut self, ui: &mut Ui, bone: Bone, slider: &rig::Slider, joint_name: &str) {
+        let dof = slider.dof;
+        let name = labels::slider(bone, dof);
+        let columns = row::next(ui);
+        let selected = self.panels.selected == Some(bone);
+        if selected {
+            ui.painter().rect_filled(columns.whole.expand2(egui::vec2(4.0, 1.0)), 2.0, theme::HEADER);
+            if self.panels.reveal && !joint_name.is_empty() {
+                ui.scroll_to_rect(columns.whole.expand(60.0), None);
+                self.panels.reveal = false;
+            }
+        }
+        let color = if selected { theme::ACCENT } else { theme::TEXT };
+        row::text(ui, columns.joint, joint_name, color);
+        row::text(ui, columns.angle, labels::angle(dof), theme::FAINT_TEXT);
+        self.choose_cell(ui, columns, bone, dof, !joint_name.is_empty());
+        let rail = Rail {
+            name: &name,
+            value: slider.value,
+            span: self.span(bone, slider),
+            live: Some(slider.range),
+            wraps: false,
+            rest: 0.0,
+        };
+        let turn = |degrees| Command::Turn { joint: bone, dof, degrees, by: By::To };
+        let (response, change) = rail.show(ui, columns.rail);
+        response.on_hover_text(self.range_words(bone, slider));
+        self.ask(change, turn);
+        let (_, change) = Number::degrees(&name, slider.value).show(ui, columns.number);
+        self.ask(change, turn);
+    }
+
+    /// A click on a row's words chooses its bone.
+    fn choose_cell(&mut self, ui: &mut Ui, columns: row::Row, bone: Bone, dof: Dof, first: bool) {
+        let words = columns.joint.union(columns.angle);
+        let id = egui::Id::unique(("words", bone.index(), dof as usize));
+        let response = ui.interact(words, id, Sense::click()).on_hover_text(labels::meaning(bone, dof));
+        if first {
+            let name = format!("Choose {}", labels::full(bone).to_lowercase());
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
+        }
+        if response.clicked() {
+            self.panels.selected = (self.panels.selected != Some(bone)).then_some(bone);
+        }
+    }
+
+    /// The ends of the rail: the joint's fixed range, widened to hold the value; a full circle without ranges.
+    fn span(&self, bone: Bone, slider: &rig::Slider) -> Interval {
+        let circle = Interval::new(-180.0, 180.0);
+        let joint = self.editor.figure().skeleton.joint(bone);
+        let fixed = joint.and_then(|joint| joint.range(slider.dof));
+        let span = match fixed {
+            Some(range)
+                if self.editor.document().ranges && range.min.is_finite() && range.max.is_finite() =>
+            {
+                range
+            }
+            _ => circle,
+        };
+        if slider.value.is_finite() { span.reaching(slider.value) } else { span }
+    }
+
+    fn range_words(&self, bone: Bone, slider: &rig::Slider) -> String {
+        let words = labels::meaning(bone, slider.dof);
+        let Interval { min, max } = slider.range;
+        let open = if min.is_finite() && max.is_finite() {
+            format!("{min:.0}° to {max:.0}° from here")
+        } else {
+            "no range".to_owned()
+        };
+        format!("{words}\n{open}. Drag anywhere, Shift for fine; double-click for 0.")
+    }
+}

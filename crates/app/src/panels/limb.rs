@@ -1,0 +1,254 @@
+//! An arm or a leg: its joints, and what it reaches for.
+
+use edit::{At, By, Command, Goal, Hold, Request};
+use egui::{ComboBox, Ui, UiBuilder};
+use kin::Interval;
+use rig::{Bone, Contact, Dof, Limb, Part, Reacher, Space};
+
+use super::{Sheet, row};
+use crate::number::Number;
+use crate::rail::Rail;
+use crate::{labels, theme};
+
+/// What people hold on to. Any other bone that a file names is shown as well.
+const SPACES: [Bone; 8] = [
+    Bone::Head,
+    Bone::UpperChest,
+    Bone::Hips,
+    Bone::LeftHand,
+    Bone::RightHand,
+    Bone::LeftUpperLeg,
+    Bone::RightUpperLeg,
+    Bone::LeftUpperArm,
+];
+
+/// A miss smaller than this is none, metres.
+const MET_M: f64 = 0.0005;
+
+impl Sheet<'_> {
+    pub(super) fn limb(&mut self, ui: &mut Ui, part: Part) {
+        let limb = match part {
+            Part::LeftArm => Limb::LeftArm,
+            Part::RightArm => Limb::RightArm,
+            Part::LeftLeg => Limb::LeftLeg,
+            _ => Limb::RightLeg,
+        };
+        let bones: Vec<Bone> = Bone::ALL.into_iter().filter(|bone| bone.part() == part).collect();
+        self.joints(ui, &bones);
+        row::subtitle(ui, "Reach");
+        self.articulator(ui, limb);
+        self.contact(ui, limb);
+        self.space(ui, limb);
+        self.target(ui, limb);
+        self.elevation(ui, limb);
+        row::subtitle(ui, if limb.is_arm() { "Wrist about the contact" } else { "Ankle about the contact" });
+        self.in_contact(ui, limb);
+    }
+
+    fn articulator(&mut self, ui: &mut Ui, limb: Limb) {
+        let columns = row::next(ui);
+        row::text(ui, columns.joint, "Articulator", theme::TEXT).on_hover_text("The point that reaches");
+        let now = match &self.editor.pose().limb(limb).reacher {
+            Reacher::Named(name) => labels::articulator(name),
+            Reacher::Point(bone, _) => format!("point on {}", labels::full(*bone).to_lowercase()),
+        };
+        let editor = self.editor;
+        let name = format!("{} articulator", labels::limb(limb));
+        let chosen = choice(ui, columns.rest(), &name, &now, |ui| {
+            let names = editor.figure().articulators[limb.index()].keys();
+            names
+                .filter(|name| {
+                    let words = labels::articulator(name);
+                    ui.selectable_label(words == now, words).clicked()
+                })
+                .last()
+                .cloned()
+        });
+        self.requests.extend(
+            chosen.flatten().map(|name| Request::Do(Command::Articulate { limb, at: At::Named(name) })),
+        );
+    }
+
+    fn contact(&mut self, ui: &mut Ui, limb: Limb) {
+        let columns = row::next(ui);
+        row::text(ui, columns.joint, "Contact", theme::TEXT);
+        let state = self.editor.pose().limb(limb).contact;
+        let (hold, space) = match state {
+            Contact::Free => (Hold::Free, Space::World),
+            Contact::Point { space, .. } => (Hold::Point, space),
+            Contact::Planted { space, .. } => (Hold::Planted, space),
+        };
+        let kinds = [
+            (Hold::Free, "Free", "Holds on to nothing"),
+            (Hold::Point, "Point", "The articulator stays on its target; the end turns freely about it"),
+            (Hold::Planted, "Planted", "The end keeps its rotation as well"),
+        ];
+        let place = UiBuilder::new()
+            .scope_id(egui::Id::unique(("contact", limb.index())))
+            .max_rect(columns.rest())
+            .layout(egui::Layout::left_to_right(egui::Align::Center));
+        let width = (columns.rest().width() - 8.0) / 3.0;
+        ui.scope_builder(place, |ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            for (contact, word, tip) in kinds {
+                let button = egui::Button::selectable(hold == contact, word)
+                    .frame_when_inactive(true)
+                    .min_size(egui::vec2(width, row::HEIGHT));
+                let name = format!("{} contact · {word}", labels::limb(limb));
+                let response = ui.add(button).accessible_name(name).on_hover_text(tip);
+                if response.clicked() && hold != contact {
+                    self.requests.push(Request::Do(Command::Keep { limb, contact, space }));
+                }
+            }
+        });
+    }
+
+    fn space(&mut self, ui: &mut Ui, limb: Limb) {
+        let contact = self.editor.pose().limb(limb).contact;
+        let Some((space, _)) = contact.target() else { return };
+        let hold = if matches!(contact, Contact::Planted { .. }) { Hold::Planted } else { Hold::Point };
+        let columns = row::next(ui);
+        let tip = "What the target moves along with";
+        row::text(ui, columns.joint, "Holds on to", theme::TEXT).on_hover_text(tip);
+        let name = format!("{} space", labels::limb(limb));
+        let chosen = choice(ui, columns.rest(), &name, &space_words(space), |ui| {
+            let mut chosen = None;
+            let bodies = SPACES.into_iter().filter(|&bone| Limb::of(bone) != Some(limb)).map(Space::Body);
+            for option in std::iter::once(Space::World).chain(bodies) {
+                if ui.selectable_label(option == space, space_words(option)).clicked() {
+                    chosen = Some(option);
+                }
+            }
+            chosen
+        });
+        if let Some(space) = chosen.flatten() {
+            self.requests.push(Request::Do(Command::Keep { limb, contact: hold, space }));
+        }
+    }
+
+    fn target(&mut self, ui: &mut Ui, limb: Limb) {
+        let view = &self.editor.evaluation().limbs[limb.index()];
+        let tip = "Where the articulator goes; world, metres";
+        let name = format!("{} target", labels::limb(limb));
+        let moved = self.point(ui, "Target", &name, tip, view.target);
+        self.ask_moved(moved, |moved| Command::Reach { limb, to: Goal::World(moved.goal) });
+        let mut misses = Vec::new();
+        if view.residual > MET_M {
+            misses.push(format!("{:.0} mm short of the target", view.residual * 1000.0));
+        }
+        if view.rotation_residual > 0.05 {
+            misses.push(format!("turned {:.1}° from its hold", view.rotation_residual));
+        }
+        if !misses.is_empty() {
+            let columns = row::next(ui);
+            row::text(ui, columns.rest(), &misses.join(", "), theme::WARNING);
+        }
+    }
+
+    fn elevation(&mut self, ui: &mut Ui, limb: Limb) {
+        let view = self.editor.evaluation().limbs[limb.index()];
+        let columns = row::next(ui);
+        let hinge = if limb.is_arm() { "elbow" } else { "knee" };
+        let tip = format!("+ lifts the {hinge} outward; articulator and bend stay");
+        row::text(ui, columns.joint, "Elevation", theme::TEXT).on_hover_text(tip);
+        let name = format!("{} elevation", labels::limb(limb));
+        let Some(degrees) = view.elevation else {
+            row::text(ui, columns.rest(), "none: the articulator is at the limb's root", theme::FAINT_TEXT);
+            return;
+        };
+        let rail = Rail {
+            name: &name,
+            value: degrees,
+            span: Interval::new(-180.0, 180.0),
+            live: view.elevation_range.map(|[min, max]| Interval::new(min, max)),
+            wraps: true,
+            rest: 0.0,
+        };
+        let elevate = |degrees| Command::Elevate { limb, degrees, by: By::To };
+        // The other bend of the hinge stands in the column of angles.
+        let flip = egui::Button::new(egui::RichText::new("Flip").size(12.0));
+        let cell = columns.angle.shrink2(egui::vec2(2.0, 1.0));
+        let place = UiBuilder::new().scope_id(egui::Id::unique(("flip", limb.index()))).max_rect(cell);
+        let response = ui.scope_builder(place, |ui| ui.add_sized(cell.size(), flip)).inner;
+        let response = response
+            .accessible_name(format!("{} flip", labels::limb(limb)))
+            .on_hover_text(format!("Takes the other bend of the {hinge}, where both are in range"));
+        if response.clicked() {
+            self.requests.push(Request::Do(Command::Flip { limb }));
+        }
+        let (_, change) = rail.show(ui, columns.rail);
+        self.ask(change, elevate);
+        let (_, change) = Number::degrees(&name, degrees).show(ui, columns.number);
+        self.ask(change, elevate);
+    }
+
+    /// Rows that turn the end about the articulator.
+    fn in_contact(&mut self, ui: &mut Ui, limb: Limb) {
+        let parts = limb.parts();
+        let turns: &[(Bone, Dof)] = if limb.is_arm() {
+            &[(parts.end, Dof::Flexion), (parts.end, Dof::Abduction), (parts.hinge, Dof::Twist)]
+        } else {
+            &[(parts.end, Dof::Flexion), (parts.end, Dof::Abduction), (parts.end, Dof::Twist)]
+        };
+        let mut former = "";
+        for &(bone, dof) in turns {
+            let joint = labels::joint_of(bone, dof);
+            self.in_contact_row(ui, limb, bone, dof, if joint == former { "" } else { joint });
+            former = joint;
+        }
+    }
+
+    fn in_contact_row(&mut self, ui: &mut Ui, limb: Limb, bone: Bone, dof: Dof, title: &str) {
+        let joint = self.editor.figure().skeleton.joint(bone);
+        let Some(range) = joint.and_then(|joint| joint.range(dof)) else { return };
+        let value = self.editor.pose().angles(bone).get(dof);
+        let circle = Interval::new(-180.0, 180.0);
+        let bounded = self.editor.document().ranges && range.min.is_finite() && range.max.is_finite();
+        let columns = row::next(ui);
+        let name = format!("{} in contact", labels::slider(bone, dof));
+        let tip = "Turns about the articulator, which stays: the rest of the limb follows";
+        row::text(ui, columns.joint, title, theme::TEXT).on_hover_text(tip);
+        row::text(ui, columns.angle, labels::angle(dof), theme::FAINT_TEXT).on_hover_text(tip);
+        let span = if bounded { range } else { circle }.reaching(value);
+        let rail = Rail { name: &name, value, span, live: None, wraps: false, rest: 0.0 };
+        let turn = |degrees| Command::TurnInContact { limb, dof, degrees, by: By::To };
+        let (_, change) = rail.show(ui, columns.rail);
+        self.ask(change, turn);
+        let (_, change) = Number::degrees(&name, value).show(ui, columns.number);
+        self.ask(change, turn);
+    }
+}
+
+fn space_words(space: Space) -> String {
+    match space {
+        Space::World => "World".to_owned(),
+        Space::Body(bone @ (Bone::LeftUpperLeg | Bone::RightUpperLeg)) => {
+            format!("{} thigh", bone.side().map_or("", labels::side))
+        }
+        Space::Body(bone @ (Bone::LeftUpperArm | Bone::RightUpperArm)) => {
+            format!("{} upper arm", bone.side().map_or("", labels::side))
+        }
+        Space::Body(bone @ (Bone::LeftHand | Bone::RightHand)) => {
+            format!("{} hand", bone.side().map_or("", labels::side))
+        }
+        Space::Body(bone) => labels::full(bone),
+    }
+}
+
+/// A drop-down list in a cell.
+fn choice<R>(
+    ui: &mut Ui,
+    rect: egui::Rect,
+    name: &str,
+    now: &str,
+    list: impl FnOnce(&mut Ui) -> R,
+) -> Option<R> {
+    let place = UiBuilder::new().scope_id(egui::Id::unique(("choice", name))).max_rect(rect);
+    ui.scope_builder(place, |ui| {
+        let combo = ComboBox::from_id_salt(name).width(rect.width()).selected_text(now).height(360.0);
+        let shown = combo.show_ui(ui, list);
+        let _named = shown.response.accessible_name(name);
+        shown.inner
+    })
+    .inner
+}

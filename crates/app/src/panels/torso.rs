@@ -1,0 +1,51 @@
+//! Pelvis and spine, joint by joint or all at once.
+
+use edit::Command;
+use egui::Ui;
+use kin::{Column, Interval};
+use rig::{Bone, Figure, Pose};
+
+use super::{Sheet, row};
+use crate::number::Number;
+use crate::rail::Rail;
+use crate::theme;
+
+const SPINE: [Bone; 3] = [Bone::Spine, Bone::Chest, Bone::UpperChest];
+
+impl Sheet<'_> {
+    pub(super) fn torso(&mut self, ui: &mut Ui) {
+        self.joints(ui, &[Bone::Hips]);
+        self.joints(ui, &SPINE);
+        row::subtitle(ui, "Whole spine");
+        let top = self.editor.evaluation().frames[Bone::Neck].position;
+        let Some(twist) = spine_twist(self.editor.figure(), self.editor.pose()) else { return };
+        let tip = "Bends the spine evenly so that its top points here; metres";
+        let moved = self.point(ui, "Aim", "Spine aim", tip, top);
+        self.ask_moved(moved, |moved| Command::AimSpine { at: moved.goal, twist });
+        self.twist_spine(ui, top, twist);
+    }
+
+    fn twist_spine(&mut self, ui: &mut Ui, top: glam::DVec3, twist: f64) {
+        let name = "Spine twist";
+        let columns = row::next(ui);
+        row::text(ui, columns.joint, "Twist", theme::TEXT).on_hover_text("+ turns to the figure's left");
+        let span = Interval::new(-90.0, 90.0).reaching(twist);
+        let rail = Rail { name, value: twist, span, live: None, wraps: false, rest: 0.0 };
+        let wide = egui::Rect::from_min_max(columns.angle.min, columns.rail.max);
+        let aim = |twist| Command::AimSpine { at: top, twist };
+        let (_, change) = rail.show(ui, wide);
+        self.ask(change, aim);
+        let (_, change) = Number::degrees(name, twist).show(ui, columns.number);
+        self.ask(change, aim);
+    }
+}
+
+/// The twist of the whole spine as an aim would find it, degrees; `None` without a whole spine.
+fn spine_twist(figure: &Figure, pose: &Pose) -> Option<f64> {
+    let joint = |bone| figure.skeleton.joint(bone);
+    let [spine, chest, upper, neck] =
+        [joint(Bone::Spine)?, joint(Bone::Chest)?, joint(Bone::UpperChest)?, joint(Bone::Neck)?];
+    let column = Column::new([chest.offset, upper.offset, neck.offset]).ok()?;
+    let locals = [spine, chest, upper].map(|joint| joint.rotation(pose.angles(joint.bone)));
+    column.recover(&locals).ok().map(|state| state.bend.twist.to_degrees())
+}

@@ -1,0 +1,133 @@
+//! Egui's side of the renderer: draws the picture before egui's own pass and paints it inside.
+
+use std::sync::Arc;
+
+use edit::Editor;
+use egui::Rect;
+use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
+use render::{Blit, DrawError, FigureView, Gpu, Look, Overlay, Renderer, Scene};
+use rig::{Bone, Camera, Mesh, Palette};
+
+/// What one picture shows. Equal pictures look equal, so the second of two is not drawn.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Picture {
+    camera: Camera,
+    size: [u32; 2],
+    look: Look,
+    palette: Palette,
+    has_skin: bool,
+    selected: Vec<Bone>,
+    overlay: Overlay,
+}
+
+impl Picture {
+    /// The picture of a pose for a rectangle of the window.
+    pub fn new(
+        editor: &Editor,
+        camera: Camera,
+        rect: Rect,
+        pixels_per_point: f32,
+        overlay: Overlay,
+        selected: Option<Bone>,
+        lean: bool,
+    ) -> Picture {
+        let rest = crate::picture::rest_positions(editor.figure());
+        let look = Look::default();
+        Picture {
+            camera,
+            size: [rect.width(), rect.height()].map(|s| ((s * pixels_per_point).round() as u32).max(1)),
+            look: if lean { look.lean() } else { look },
+            // Frames of the world in place of the figure's: the figure's transform is the identity then.
+            palette: Palette::new(&editor.evaluation().frames, &rest),
+            has_skin: editor.figure().skin.is_some(),
+            selected: selected.into_iter().collect(),
+            overlay,
+        }
+    }
+}
+
+/// What draws pictures, kept with egui's renderer.
+pub struct PictureGpu {
+    renderer: Renderer,
+    blit: Blit,
+    drawn: Option<Picture>,
+    /// Pictures drawn so far.
+    pub count: u64,
+}
+
+impl PictureGpu {
+    /// Makes ready for a target of that format; uploads the skin, if there is one.
+    ///
+    /// # Errors
+    /// The skin is at fault.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, skin: Option<&Mesh>) -> Result<PictureGpu, DrawError> {
+        let mut renderer = Renderer::new(gpu);
+        if let Some(mesh) = skin {
+            renderer.set_mesh(0, mesh)?;
+        }
+        Ok(PictureGpu { renderer, blit: Blit::new(gpu, format), drawn: None, count: 0 })
+    }
+
+    fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) {
+        if self.drawn.as_ref() == Some(picture) {
+            return;
+        }
+        let figure = FigureView { selected: &picture.selected, ..FigureView::new(&picture.palette) };
+        let figures = if picture.has_skin { std::slice::from_ref(&figure) } else { &[] };
+        let scene = Scene {
+            look: picture.look,
+            overlay: &picture.overlay,
+            ..Scene::new(figures, picture.camera, picture.size)
+        };
+        match self.renderer.draw(encoder, &scene) {
+            Ok(_) => {
+                self.count += 1;
+                self.drawn = Some(picture.clone());
+                self.blit.prepare(&self.renderer);
+            }
+            Err(error) => log::error!("the figure can't be drawn: {error}"),
+        }
+    }
+}
+
+impl CallbackTrait for Picture {
+    fn prepare(
+        &self,
+        _device: &wgpu::Device,
+        _queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(gpu) = resources.get_mut::<PictureGpu>() {
+            gpu.draw(encoder, self);
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        info: egui::PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        let Some(gpu) = resources.get::<PictureGpu>() else { return };
+        let at = info.viewport_in_pixels();
+        let rect = [at.left_px as f32, at.top_px as f32, at.width_px as f32, at.height_px as f32];
+        gpu.blit.paint(pass, rect);
+    }
+}
+
+/// Puts what draws pictures among the resources of egui's renderer: a window's, a test harness's, an offscreen one's.
+///
+/// # Errors
+/// The figure's skin is at fault.
+pub fn install(
+    renderer: &mut egui_wgpu::Renderer,
+    gpu: &Gpu,
+    format: wgpu::TextureFormat,
+    figure: &Arc<rig::Figure>,
+) -> Result<(), DrawError> {
+    renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure.skin.as_ref())?);
+    Ok(())
+}

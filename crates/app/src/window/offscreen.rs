@@ -1,0 +1,68 @@
+//! The window as a picture, without a display: the same session, drawn into a texture.
+
+use std::path::Path;
+
+use edit::Editor;
+use egui::{Context, Pos2, RawInput, Rect};
+use render::Image;
+
+use crate::failure::Failure;
+use crate::painter::Painter;
+use crate::picture::{Shot, open_gpu};
+use crate::session::Session;
+use crate::theme;
+
+/// Draws the whole window, panels included, without a display.
+///
+/// # Errors
+/// No adapter.
+pub fn ui_picture(editor: &Editor, file: &Path, shot: &Shot) -> Result<Image, Failure> {
+    let mut session = Session::new(editor.clone(), Some(file.to_owned()));
+    session.viewport.view(shot.view);
+    session_picture(&mut session, shot.size)
+}
+
+/// Layout settles within as many frames.
+const FRAMES: usize = 3;
+
+/// Draws a session as a window of that many pixels would show it.
+///
+/// # Errors
+/// No adapter; a size that it can't draw.
+pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, Failure> {
+    let gpu = open_gpu()?;
+    let limit = gpu.max_edge();
+    if size.iter().any(|edge| !(1..=limit).contains(edge)) {
+        let error = render::DrawError::Size { width: size[0], height: size[1], limit };
+        return Err(Failure::Input(error.to_string()));
+    }
+    let format = wgpu::TextureFormat::Rgba8Unorm;
+    let mut painter =
+        Painter::new(&gpu, format, session.editor().figure()).map_err(|e| Failure::Input(e.to_string()))?;
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("window"),
+        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let ctx = Context::default();
+    theme::apply(&ctx);
+    for frame in 0..FRAMES {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(size[0] as f32, size[1] as f32))),
+            time: Some(frame as f64),
+            focused: true,
+            ..RawInput::default()
+        };
+        let output = ctx.run_ui(input, |ui| session.ui(ui));
+        painter.paint(&ctx, output, size, &view);
+    }
+    let descriptor = wgpu::CommandEncoderDescriptor { label: Some("read window") };
+    let encoder = gpu.device.create_command_encoder(&descriptor);
+    render::read(&gpu, encoder, &texture).map_err(|e| Failure::Input(e.to_string()))
+}
