@@ -13,7 +13,7 @@ use rig::{
     Angles, Articulation, Articulator, Bone, Dof, Figure, Handshape, Joint, Limb, Mesh, Part, Side, Skeleton,
 };
 
-use crate::{Spot, urdf};
+use crate::{Spot, glb, urdf};
 use file::{AnyVersion, FigureFile, LimbName, VERSION};
 
 /// A fault in a figure file or in a file that it names.
@@ -68,18 +68,7 @@ pub fn load(
     figure_ron: &str,
     fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Result<(Figure, Vec<String>), FigureError> {
-    let file = parse(figure_ron)?;
-    let reader = Reader { text: figure_ron, file: &file };
-    let (skeleton, mut warnings) = reader.skeleton(fetch)?;
-    let figure = Figure {
-        name: reader.name()?,
-        articulators: reader.articulators(&skeleton)?,
-        handshapes: reader.handshapes(&skeleton, &mut warnings)?,
-        swing_bases: reader.swing_bases()?,
-        skin: reader.skin(&skeleton, fetch)?,
-        skeleton,
-    };
-    Ok((figure, warnings))
+    read(figure_ron, fetch, true)
 }
 
 /// The figure that comes with the program, built in.
@@ -87,25 +76,50 @@ pub fn load(
 /// # Errors
 /// None while its files are whole, which a test watches.
 pub fn mannequin() -> Result<Figure, FigureError> {
+    built_in(true)
+}
+
+/// The figure that comes with the program, without its skin: all that posing needs, in a fraction of the time.
+///
+/// # Errors
+/// As [`mannequin`].
+pub fn bare_mannequin() -> Result<Figure, FigureError> {
+    built_in(false)
+}
+
+fn built_in(with_skin: bool) -> Result<Figure, FigureError> {
     let mut fetch = |name: &str| match name {
         "mannequin.urdf" => Ok(include_bytes!("../../../assets/figures/mannequin.urdf").to_vec()),
+        "mannequin.glb" => Ok(include_bytes!("../../../assets/figures/mannequin.glb").to_vec()),
         other => Err(format!("\"{other}\" is not built in")),
     };
-    let figure = include_str!("../../../assets/figures/mannequin.figure.ron");
-    load(figure, &mut fetch).map(|(figure, _)| figure).map_err(|e| e.named("mannequin.figure.ron"))
+    let text = include_str!("../../../assets/figures/mannequin.figure.ron");
+    read(text, &mut fetch, with_skin).map(|(figure, _)| figure).map_err(|e| e.named("mannequin.figure.ron"))
+}
+
+fn read(text: &str, fetch: Fetch<'_>, with_skin: bool) -> Result<(Figure, Vec<String>), FigureError> {
+    let file = parse(text)?;
+    let reader = Reader { text, file: &file };
+    let (skeleton, mut warnings) = reader.skeleton(fetch)?;
+    let figure = Figure {
+        name: reader.name()?,
+        articulators: reader.articulators(&skeleton)?,
+        handshapes: reader.handshapes(&skeleton, &mut warnings)?,
+        swing_bases: reader.swing_bases()?,
+        skin: if with_skin { reader.skin(&skeleton, fetch)? } else { None },
+        skeleton,
+    };
+    Ok((figure, warnings))
 }
 
 fn parse(text: &str) -> Result<FigureFile, FigureError> {
-    let fault = |e: ron::error::SpannedError| {
-        let spot = Spot { line: e.span.start.line, column: e.span.start.col };
-        FigureError::new("", spot, e.code.to_string())
-    };
-    let AnyVersion { version } = ron::from_str(text).map_err(fault)?;
+    let fault = |f: rig::TextFault| FigureError::new("", Spot { line: f.line, column: f.column }, f.message);
+    let AnyVersion { version } = rig::from_ron(text).map_err(fault)?;
     if version != VERSION {
         let message = format!("version {version} is not known to this program, expected {VERSION}");
         return Err(FigureError::new("", keys::spot(text, &["version"]), message));
     }
-    ron::from_str(text).map_err(fault)
+    rig::from_ron(text).map_err(fault)
 }
 
 /// A figure file on its way to a figure.
@@ -310,8 +324,15 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn skin(&self, _skeleton: &Skeleton, _fetch: Fetch<'_>) -> Result<Option<Mesh>, FigureError> {
-        Ok(None)
+    fn skin(&self, skeleton: &Skeleton, fetch: Fetch<'_>) -> Result<Option<Mesh>, FigureError> {
+        let Some(name) = &self.file.skin else { return Ok(None) };
+        let bytes = fetch(name).map_err(|e| self.fault(&["skin"], format!("\"{name}\": {e}")))?;
+        let mesh = glb::read(&bytes, skeleton)
+            .map_err(|e| FigureError::new(name, Spot::default(), e.to_string()))?;
+        match mesh.fault() {
+            Some(fault) => Err(FigureError::new(name, Spot::default(), fault)),
+            None => Ok(Some(mesh)),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Other programs' files, bytes in and values out: no disk, no clock.
 
 pub mod figure;
+pub mod glb;
 mod spot;
 pub mod urdf;
 

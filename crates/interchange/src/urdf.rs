@@ -1,4 +1,4 @@
-//! URDF, the robot description format: a skeleton in and out.
+//! URDF, the robot description format, as a skeleton.
 //!
 //! Each bone is a link; its degrees of freedom are revolute joints `<link>_flexion`, `<link>_abduction`,
 //! `<link>_twist` at one place, in the order in which they apply, the first carrying the offset from the
@@ -39,13 +39,24 @@ pub fn read(text: &str, roles: &BTreeMap<Bone, String>) -> Result<(Skeleton, Vec
     let outline = outline::outline(text)
         .map_err(|broken| UrdfFault::Syntax(broken.message).at(Spot::at(text, broken.at)))?;
     check::check(text, &outline)?;
-    let robot = urdf_rs::read_from_string(text)
-        .map_err(|error| UrdfFault::Syntax(error.to_string()).at(Spot::default()))?;
+    let robot = urdf_rs::read_from_string(text).map_err(|error| unread(&error.to_string()))?;
     let places = Places { text, outline: &outline };
     let tree = Tree::new(&robot, roles).map_err(|fault| places.locate(fault))?;
     let joints = joints(&tree).map_err(|fault| places.locate(fault))?;
     let skeleton = Skeleton::new(joints).map_err(|e| places.locate(UrdfFault::Skeleton(e)))?;
     Ok((skeleton, tree.warnings()))
+}
+
+/// What `urdf-rs` finds and the outline doesn't, such as an unknown entity. Its XML reader writes the place into
+/// the message.
+fn unread(message: &str) -> UrdfError {
+    let located = || {
+        let (line, rest) = message.strip_prefix("Parse error; Line: ")?.split_once(", Column: ")?;
+        let (column, reason) = rest.split_once(", Reason: ")?;
+        let spot = Spot { line: line.parse().ok()?, column: column.parse().ok()? };
+        Some(UrdfFault::Syntax(reason.to_owned()).at(spot))
+    };
+    located().unwrap_or_else(|| UrdfFault::Syntax(message.to_owned()).at(Spot::default()))
 }
 
 /// Finds the element that a fault is about.

@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
     fn markup(&mut self) -> Result<(), Broken> {
         let rest = &self.text[self.at..];
         if rest.starts_with("<!--") {
-            self.past("<!--", "-->", "a comment")
+            self.comment()
         } else if rest.starts_with("<?") {
             self.past("<?", "?>", "a processing instruction")
         } else if rest.starts_with("<!") {
@@ -102,6 +102,13 @@ impl<'a> Reader<'a> {
         } else {
             self.start_tag()
         }
+    }
+
+    /// A comment ends with its first double hyphen, as XML has it.
+    fn comment(&mut self) -> Result<(), Broken> {
+        let start = self.at;
+        self.past("<!--", "--", "a comment")?;
+        if self.take('>') { Ok(()) } else { self.broken(start, "a comment has `--` inside, expected `-->`") }
     }
 
     fn past(&mut self, start: &str, end: &str, what: &str) -> Result<(), Broken> {
