@@ -183,8 +183,8 @@ fn run(
         let pose = Box::new(load::pose(&figure, on)?);
         editor.submit(Request::Open(pose), &mut NoFiles).map_err(|e| Failure::Input(e.to_string()))?;
     }
-    let reports = run_script(&mut editor, &script, &mut Disk::beside(path))
-        .map_err(|fault| load::at(path, &fault))?;
+    let reports =
+        run_script(&mut editor, &script, &mut Disk::beside(path)).map_err(|fault| load::at(path, &fault))?;
     if let Some(save) = save {
         write_atomic(save, rig::write_pose(&figure, editor.pose()).as_bytes())?;
     }
@@ -203,7 +203,9 @@ fn write_json<T: serde::Serialize>(value: &T, to: &Path) -> Result<(), Failure> 
 fn print(text: &str) -> Result<(), Failure> {
     use std::io::Write as _;
     match std::io::stdout().write_all(text.as_bytes()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Input(format!("standard output: {e}"))),
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::Input(format!("standard output: {e}")))
+        }
         _ => Ok(()),
     }
 }

@@ -23,7 +23,8 @@ pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     file.take(limit + 1).read_to_end(&mut bytes).map_err(fault)?;
     if bytes.len() as u64 > limit {
-        let message = format!("{}:1:1: larger than {} MB, the most that is read", path.display(), limit >> 20);
+        let message =
+            format!("{}:1:1: larger than {} MB, the most that is read", path.display(), limit >> 20);
         return Err(Failure::Input(message));
     }
     Ok(bytes)

@@ -79,8 +79,22 @@ fn keypoints(figure: &Figure, evaluation: &Evaluation) -> Vec<(usize, DVec3)> {
     let in_head = |v: DVec3| frames[Bone::Head].point(v);
     let eye = figure.skeleton.joint(Bone::LeftEye).map_or(DVec3::new(0.03, 0.07, 0.08), |j| j.offset);
     let (nose, ear) = (DVec3::new(0.0, eye.y - 0.035, eye.z + 0.035), DVec3::new(0.075, eye.y - 0.01, 0.0));
-    let arms = [Bone::RightUpperArm, Bone::RightLowerArm, Bone::RightHand, Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand];
-    let legs = [Bone::RightUpperLeg, Bone::RightLowerLeg, Bone::RightFoot, Bone::LeftUpperLeg, Bone::LeftLowerLeg, Bone::LeftFoot];
+    let arms = [
+        Bone::RightUpperArm,
+        Bone::RightLowerArm,
+        Bone::RightHand,
+        Bone::LeftUpperArm,
+        Bone::LeftLowerArm,
+        Bone::LeftHand,
+    ];
+    let legs = [
+        Bone::RightUpperLeg,
+        Bone::RightLowerLeg,
+        Bone::RightFoot,
+        Bone::LeftUpperLeg,
+        Bone::LeftLowerLeg,
+        Bone::LeftFoot,
+    ];
     let shoulders = (joint(Bone::LeftUpperArm) + joint(Bone::RightUpperArm)) * 0.5;
     let mirror = DVec3::new(-1.0, 1.0, 1.0);
     let mut points = vec![in_head(nose), shoulders];

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 use rig::{
-    Contact, Figure, GestureError, Limb, Moved, Part, Pose, PosePatch, Reacher, Space, Target, evaluate, frames,
+    Contact, Figure, GestureError, Limb, Moved, Part, Pose, PosePatch, Reacher, Space, Target, evaluate,
+    frames,
 };
 
 use crate::editor::{Document, Outcome};

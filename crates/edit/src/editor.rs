@@ -71,7 +71,15 @@ impl Editor {
     pub fn new(figure: Arc<Figure>) -> Editor {
         let document = Document { pose: figure.rest_pose(), ranges: true };
         let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
-        Editor { figure, document, evaluation, past: Vec::new(), future: Vec::new(), gesture: None, revision: 0 }
+        Editor {
+            figure,
+            document,
+            evaluation,
+            past: Vec::new(),
+            future: Vec::new(),
+            gesture: None,
+            revision: 0,
+        }
     }
 
     /// An editor with the figure in a pose, and nothing to undo.

@@ -61,11 +61,14 @@ impl Report {
         let evaluation = editor.evaluation();
         let joints = editor.figure().skeleton.joints().map(|joint| {
             let frame = evaluation.frames[joint.bone];
-            (joint.bone.name(), JointReport {
-                position: frame.position.to_array(),
-                rotation: frame.rotation.to_array(),
-                angles: angles(editor, joint.bone),
-            })
+            (
+                joint.bone.name(),
+                JointReport {
+                    position: frame.position.to_array(),
+                    rotation: frame.rotation.to_array(),
+                    angles: angles(editor, joint.bone),
+                },
+            )
         });
         let limbs = Limb::ALL.map(|limb| (limb.name(), limb_report(editor, limb, goal)));
         Report {

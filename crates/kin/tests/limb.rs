@@ -94,9 +94,9 @@ fn random_limb(seeded: &mut Seeded, awkward: bool) -> (Limb, DVec3) {
     if awkward {
         let hinge = seeded.direction() * upper;
         let axis = (hinge.any_orthonormal_vector() + 0.3 * seeded.direction()).normalize();
-        (Limb::new(hinge, axis, carrier).unwrap(), seeded.direction() * fore + end)
+        (Limb::new(hinge, axis, carrier).expect("a limb"), seeded.direction() * fore + end)
     } else {
-        (Limb::straight(upper, carrier).unwrap(), DVec3::Y * fore + end)
+        (Limb::straight(upper, carrier).expect("a limb"), DVec3::Y * fore + end)
     }
 }
 

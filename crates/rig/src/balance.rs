@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use crate::{Bone, Contact, Figure, Frames, GestureError, Limb, Moved, Pose, center_of_mass, frames, move_hips};
+use crate::{
+    Bone, Contact, Figure, Frames, GestureError, Limb, Moved, Pose, center_of_mass, frames, move_hips,
+};
 
 /// Shifts the hips level until the centre of mass is over the middle of the feet in contact, or a part of the way
 /// there; contacts are kept.

@@ -6,8 +6,8 @@ use glam::{DQuat, DVec3};
 
 use crate::contacts::{hold_here, keep_contacts};
 use crate::{
-    Angles, Articulation, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Moved, Part, Place, Pose,
-    Reacher, Side, Space,
+    Angles, Articulation, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Moved, Part, Place,
+    Pose, Reacher, Side, Space,
 };
 
 /// Some of a pose: what a file names.
@@ -57,7 +57,13 @@ fn part_of(limb: Limb) -> Part {
 }
 
 /// After a forward change of some limbs: their contacts move along, other limbs follow theirs.
-fn settle(figure: &Figure, before: &Pose, mut pose: Pose, set: &[Limb], ranges: bool) -> Result<Moved, GestureError> {
+fn settle(
+    figure: &Figure,
+    before: &Pose,
+    mut pose: Pose,
+    set: &[Limb],
+    ranges: bool,
+) -> Result<Moved, GestureError> {
     for limb in set {
         hold_here(figure, &mut pose, *limb);
     }
@@ -94,7 +100,8 @@ pub fn apply_patch(
     if let Some(hips) = patch.hips.filter(|_| wanted(Part::Torso)) {
         pose.hips = if amount == 1.0 { hips } else { before.hips.lerp(hips, amount) };
     }
-    let set: Vec<Limb> = Limb::ALL.into_iter().filter(|l| wanted(part_of(*l)) && touches(patch, *l)).collect();
+    let set: Vec<Limb> =
+        Limb::ALL.into_iter().filter(|l| wanted(part_of(*l)) && touches(patch, *l)).collect();
     for limb in &set {
         if let Some(state) = patch.limbs.get(limb).filter(|_| amount == 1.0) {
             pose.limbs[limb.index()] = state.clone();
@@ -118,7 +125,8 @@ fn blended(figure: &Figure, bone: Bone, from: Angles, to: Angles, amount: f64) -
         let (a, b) = (joint.rotation(from), joint.rotation(to));
         let turn = a.conjugate() * b;
         let turn = if turn.w < 0.0 { -turn } else { turn };
-        let [flexion, abduction, twist] = ball.angles(a * DQuat::from_scaled_axis(turn.to_scaled_axis() * amount));
+        let [flexion, abduction, twist] =
+            ball.angles(a * DQuat::from_scaled_axis(turn.to_scaled_axis() * amount));
         return Angles {
             flexion: flexion.to_degrees(),
             abduction: abduction.to_degrees(),
@@ -137,7 +145,9 @@ fn held(figure: &Figure, bone: Bone, before: Angles, mut angles: Angles) -> Angl
             angles.set(dof, range.reaching(before.get(dof)).clamp(angles.get(dof)));
         }
     }
-    if let (Articulation::Ball { ball, cone: Some(cone), .. }, Some(bone)) = (&joint.articulation, joint.bone_direction()) {
+    if let (Articulation::Ball { ball, cone: Some(cone), .. }, Some(bone)) =
+        (&joint.articulation, joint.bone_direction())
+    {
         let cone = cone.reaching(joint.rotation(before) * bone);
         let points = joint.rotation(angles) * bone;
         let inside = cone.clamp(points);
@@ -283,7 +293,9 @@ fn mirrored_contact(contact: &Contact, world_from_figure: &kin::Frame) -> Contac
     };
     match *contact {
         Contact::Free => Contact::Free,
-        Contact::Point { space, target } => Contact::Point { space: twin(space), target: point(space, target) },
+        Contact::Point { space, target } => {
+            Contact::Point { space: twin(space), target: point(space, target) }
+        }
         Contact::Planted { space, target, rotation } => Contact::Planted {
             space: twin(space),
             target: point(space, target),

@@ -101,7 +101,11 @@ fn relation(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb, contact: 
     let planted = matches!(contact, Contact::Planted { .. });
     Relation {
         target_in_base: base_from_world.point(space.point(target)),
-        rotation_in_base: if planted { base_from_world.rotation * space.rotation * rotation } else { rotation },
+        rotation_in_base: if planted {
+            base_from_world.rotation * space.rotation * rotation
+        } else {
+            rotation
+        },
         articulator_in_end: frames[parts.end].inverse().point(frames[at.bone].point(at.at)),
     }
 }

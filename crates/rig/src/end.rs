@@ -28,7 +28,8 @@ pub(crate) fn turn_end(
     let angles = fitted(figure, pose, limb, &axes, hinge_from_end);
     let mut stopped = false;
     for (axis, angle) in axes.iter().zip(angles) {
-        let range = if ranges { axis.range.reaching(from.angles(axis.bone).get(axis.dof)) } else { Interval::FREE };
+        let range =
+            if ranges { axis.range.reaching(from.angles(axis.bone).get(axis.dof)) } else { Interval::FREE };
         let degrees = nearest_turn(angle.to_degrees(), pose.angles(axis.bone).get(axis.dof), range);
         let held = range.clamp(degrees);
         stopped |= (held - degrees).abs() > 1e-9;
@@ -91,7 +92,8 @@ fn three_turns(axes: [DVec3; 3], goal: DQuat) -> [f64; 3] {
     let middle = (handed * first.dot(carried)).clamp(-1.0, 1.0).asin();
     let swung = DQuat::from_axis_angle(second, middle) * third;
     let outer = about(first, swung, carried);
-    let rest = (DQuat::from_axis_angle(first, outer) * DQuat::from_axis_angle(second, middle)).conjugate() * goal;
+    let rest =
+        (DQuat::from_axis_angle(first, outer) * DQuat::from_axis_angle(second, middle)).conjugate() * goal;
     let inner = 2.0 * DVec3::new(rest.x, rest.y, rest.z).dot(third).atan2(rest.w);
     [outer, middle, wrapped(inner)]
 }
@@ -136,9 +138,11 @@ mod tests {
     #[test]
     fn three_turns_make_the_rotation() {
         let axes = [DVec3::X, -DVec3::Z, -DVec3::Y];
-        for (outer, middle, inner) in [(0.3, -0.4, 0.2), (-2.5, 1.2, -0.5), (0.0, 0.0, 0.0), (3.0, -1.5, 0.3)] {
+        for (outer, middle, inner) in [(0.3, -0.4, 0.2), (-2.5, 1.2, -0.5), (0.0, 0.0, 0.0), (3.0, -1.5, 0.3)]
+        {
             let turns = [outer, middle, inner];
-            let goal = axes.iter().zip(turns).fold(DQuat::IDENTITY, |q, (a, t)| q * DQuat::from_axis_angle(*a, t));
+            let goal =
+                axes.iter().zip(turns).fold(DQuat::IDENTITY, |q, (a, t)| q * DQuat::from_axis_angle(*a, t));
             for (found, turn) in three_turns(axes, goal).into_iter().zip(turns) {
                 assert!((found - turn).abs() < 1e-12, "{found} for {turn}");
             }
@@ -148,10 +152,16 @@ mod tests {
     #[test]
     fn askew_axes_are_fitted() {
         let range = Interval::FREE;
-        let axis = |x, y, z, dof| Axis { bone: Bone::LeftHand, dof, axis: DVec3::new(x, y, z).normalize(), range };
-        let axes = [axis(1.0, 0.1, 0.0, Dof::Twist), axis(0.1, 0.0, -1.0, Dof::Flexion), axis(0.0, -1.0, 0.2, Dof::Abduction)];
+        let axis =
+            |x, y, z, dof| Axis { bone: Bone::LeftHand, dof, axis: DVec3::new(x, y, z).normalize(), range };
+        let axes = [
+            axis(1.0, 0.1, 0.0, Dof::Twist),
+            axis(0.1, 0.0, -1.0, Dof::Flexion),
+            axis(0.0, -1.0, 0.2, Dof::Abduction),
+        ];
         let turns = [0.5, -0.6, 0.2];
-        let goal = axes.iter().zip(turns).fold(DQuat::IDENTITY, |q, (a, t)| q * DQuat::from_axis_angle(a.axis, t));
+        let goal =
+            axes.iter().zip(turns).fold(DQuat::IDENTITY, |q, (a, t)| q * DQuat::from_axis_angle(a.axis, t));
         let guess = three_turns([axes[0].axis, axes[1].axis, axes[2].axis], goal).to_vec();
         for (found, turn) in fit(&axes, guess, goal).into_iter().zip(turns) {
             assert!((found - turn).abs() < 1e-10, "{found} for {turn}");

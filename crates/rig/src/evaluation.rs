@@ -52,7 +52,9 @@ pub fn frames(figure: &Figure, pose: &Pose) -> Frames {
             offset: if bone == Bone::Hips { pose.hips } else { joint.offset },
             rotation: joint.rotation(pose.angles(bone)),
         },
-        None => Link { carrier: Some(bone.carrier().index()), offset: DVec3::ZERO, rotation: DQuat::IDENTITY },
+        None => {
+            Link { carrier: Some(bone.carrier().index()), offset: DVec3::ZERO, rotation: DQuat::IDENTITY }
+        }
     });
     let mut out = [Frame::IDENTITY; Bone::COUNT];
     let written = kin::fk(pose.place.world_from_figure(), links, &mut out);
@@ -94,7 +96,8 @@ fn view(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb, ranges: bool)
     let target = contact.target().map_or(articulator, |(space, point)| frames.space(space).point(point));
     let rotation_residual = match contact {
         Contact::Planted { space, rotation, .. } => {
-            angle_between(frames[limb.parts().end].rotation, frames.space(space).rotation * rotation).to_degrees()
+            angle_between(frames[limb.parts().end].rotation, frames.space(space).rotation * rotation)
+                .to_degrees()
         }
         _ => 0.0,
     };

@@ -5,9 +5,7 @@ use glam::DVec3;
 use crate::contacts::{contact_order, hold_here, keep_contacts};
 use crate::limb_rig::LimbRig;
 use crate::reach::{Elevate, Grip};
-use crate::{
-    Articulator, Bone, Contact, Figure, GestureError, Limb, Moved, Pose, Reacher, Space, frames,
-};
+use crate::{Articulator, Bone, Contact, Figure, GestureError, Limb, Moved, Pose, Reacher, Space, frames};
 
 /// Where a reach goes: a point in a space, metres.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -70,18 +68,23 @@ pub fn elevate(
     }
     let grip = Grip::new(figure, before, limb, ranges)?;
     let sense = if limb.is_arm() { 1.0 } else { -1.0 };
-    let goal = if to { Elevate::To(grip.rig.internal(degrees)) } else { Elevate::By(sense * degrees.to_radians()) };
+    let goal =
+        if to { Elevate::To(grip.rig.internal(degrees)) } else { Elevate::By(sense * degrees.to_radians()) };
     let mut pose = before.clone();
     let mut clamped = grip.elevate(&mut pose, goal);
-    let contact = pose.limb(limb).contact;
-    if matches!(contact, Contact::Planted { .. }) {
-        let swung = Grip::new(figure, &pose, limb, ranges)?;
-        let mut settled = pose.clone();
-        clamped |= swung.follow(&mut settled, &frames(figure, &pose), &contact)?;
-        pose = settled;
-    }
+    clamped |= replant(figure, &mut pose, limb, ranges)?;
     clamped |= keep_contacts(figure, before, &mut pose, &[limb], ranges)?;
     Ok(Moved { pose, clamped })
+}
+
+/// Turns a planted end back to its rotation after root and hinge have moved about its joint.
+fn replant(figure: &Figure, pose: &mut Pose, limb: Limb, ranges: bool) -> Result<bool, GestureError> {
+    let contact = pose.limb(limb).contact;
+    if !matches!(contact, Contact::Planted { .. }) {
+        return Ok(false);
+    }
+    let swung = pose.clone();
+    Grip::new(figure, &swung, limb, ranges)?.follow(pose, &frames(figure, &swung), &contact)
 }
 
 /// Takes the other bend of the hinge for the same place of the articulator.
@@ -92,6 +95,7 @@ pub fn flip(figure: &Figure, before: &Pose, limb: Limb, ranges: bool) -> Result<
     let grip = Grip::new(figure, before, limb, ranges)?;
     let mut pose = before.clone();
     let mut clamped = grip.flip(&mut pose)?;
+    clamped |= replant(figure, &mut pose, limb, ranges)?;
     clamped |= keep_contacts(figure, before, &mut pose, &[limb], ranges)?;
     Ok(Moved { pose, clamped })
 }
@@ -100,7 +104,12 @@ pub fn flip(figure: &Figure, before: &Pose, limb: Limb, ranges: bool) -> Result<
 ///
 /// # Errors
 /// A name that the figure lacks, a point on a bone that can't reach.
-pub fn articulate(figure: &Figure, before: &Pose, limb: Limb, reacher: Reacher) -> Result<Pose, GestureError> {
+pub fn articulate(
+    figure: &Figure,
+    before: &Pose,
+    limb: Limb,
+    reacher: Reacher,
+) -> Result<Pose, GestureError> {
     check_reacher(figure, limb, &reacher)?;
     let mut pose = before.clone();
     pose.limbs[limb.index()].reacher = reacher;

@@ -88,7 +88,10 @@ impl LimbRig {
     /// The limb's joints, read off a pose.
     pub fn state(&self, figure: &Figure, pose: &Pose) -> LimbState {
         let parts = self.limb.parts();
-        let root = figure.skeleton.joint(parts.root).map_or(DQuat::IDENTITY, |j| j.rotation(pose.angles(parts.root)));
+        let root = figure
+            .skeleton
+            .joint(parts.root)
+            .map_or(DQuat::IDENTITY, |j| j.rotation(pose.angles(parts.root)));
         LimbState { root: self.rotation_in_limb(root), hinge: pose.angles(parts.hinge).flexion.to_radians() }
     }
 
@@ -96,7 +99,9 @@ impl LimbRig {
     /// was, give or take the rounding, keeps its bits.
     pub fn write(&self, figure: &Figure, pose: &mut Pose, state: &LimbState) {
         let parts = self.limb.parts();
-        if let Some(Articulation::Ball { ball, .. }) = figure.skeleton.joint(parts.root).map(|j| &j.articulation) {
+        if let Some(Articulation::Ball { ball, .. }) =
+            figure.skeleton.joint(parts.root).map(|j| &j.articulation)
+        {
             let angles = ball.angles(self.rotation_in_base(state.root));
             for (dof, angle) in Dof::ALL.into_iter().zip(angles) {
                 set(pose, parts.root, dof, angle.to_degrees());
@@ -145,17 +150,25 @@ impl LimbRig {
     }
 
     /// The feasible interval around the present elevation, as reported.
-    pub fn reported_range(&self, about: DVec3, state: &LimbState, goal: &LimbGoal, ranges: bool) -> Option<[f64; 2]> {
+    pub fn reported_range(
+        &self,
+        about: DVec3,
+        state: &LimbState,
+        goal: &LimbGoal,
+        ranges: bool,
+    ) -> Option<[f64; 2]> {
         let full = Some([-180.0, 180.0]);
         if !ranges {
             return full;
         }
         let direction = goal.target.try_normalize()?;
-        let around = self.kin.elevations(about, state.hinge, direction, &self.ranges.root).around(goal.elevation)?;
+        let around =
+            self.kin.elevations(about, state.hinge, direction, &self.ranges.root).around(goal.elevation)?;
         if around.1 - around.0 >= std::f64::consts::TAU - 1e-12 {
             return full;
         }
-        let (below, above) = ((around.0 - goal.elevation).to_degrees(), (around.1 - goal.elevation).to_degrees());
+        let (below, above) =
+            ((around.0 - goal.elevation).to_degrees(), (around.1 - goal.elevation).to_degrees());
         let now = self.reported(goal.elevation);
         Some(if self.limb.is_arm() { [now + below, now + above] } else { [now - above, now - below] })
     }

@@ -6,7 +6,9 @@ use glam::{DQuat, DVec3};
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{Angles, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Place, Pose, PosePatch, Reacher, Space};
+use crate::{
+    Angles, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Place, Pose, PosePatch, Reacher, Space,
+};
 
 /// What is wrong with a text, and where.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -241,8 +243,11 @@ pub fn parse_pose(text: &str) -> Result<PosePatch, TextFault> {
             .joints
             .into_iter()
             .map(|(bone, a)| {
-                let angles =
-                    Angles { flexion: value(a.flexion), abduction: value(a.abduction), twist: value(a.twist) };
+                let angles = Angles {
+                    flexion: value(a.flexion),
+                    abduction: value(a.abduction),
+                    twist: value(a.twist),
+                };
                 (bone, angles)
             })
             .collect(),
@@ -277,8 +282,11 @@ pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
     let joints = figure.skeleton.joints().filter(|joint| joint.dofs().next().is_some()).map(|joint| {
         let angles = pose.angles(joint.bone);
         let value = |dof| joint.has(dof).then(|| Number(angles.get(dof)));
-        let text =
-            AnglesText { flexion: value(Dof::Flexion), abduction: value(Dof::Abduction), twist: value(Dof::Twist) };
+        let text = AnglesText {
+            flexion: value(Dof::Flexion),
+            abduction: value(Dof::Abduction),
+            twist: value(Dof::Twist),
+        };
         (joint.bone, text)
     });
     let file = PoseText {
@@ -287,7 +295,9 @@ pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
         place: Some(PlaceText { position: pose.place.position.into(), turn: Number(pose.place.turn) }),
         hips: Some(pose.hips.into()),
         joints: joints.collect(),
-        limbs: LimbsText(Limb::ALL.into_iter().map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect()),
+        limbs: LimbsText(
+            Limb::ALL.into_iter().map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect(),
+        ),
     };
     let pretty = ron::ser::PrettyConfig::new().depth_limit(2).separate_tuple_members(false).new_line("\n");
     let mut text = options().to_string_pretty(&file, pretty).unwrap_or_default();

@@ -26,7 +26,12 @@ pub(crate) struct Grip<'a> {
 }
 
 impl<'a> Grip<'a> {
-    pub fn new(figure: &'a Figure, before: &'a Pose, limb: Limb, ranges: bool) -> Result<Grip<'a>, GestureError> {
+    pub fn new(
+        figure: &'a Figure,
+        before: &'a Pose,
+        limb: Limb,
+        ranges: bool,
+    ) -> Result<Grip<'a>, GestureError> {
         let rig = LimbRig::new(figure, limb).ok_or(GestureError::NoLimb(limb))?;
         let about = rig.about(figure, before);
         Grip::about(figure, before, rig, about, ranges)
@@ -76,7 +81,8 @@ impl<'a> Grip<'a> {
         let goal = LimbGoal { target, ..*kept };
         let fault = |why| GestureError::Degenerate { limb, why };
         if self.strict {
-            let held = self.rig.kin.hold_within(in_hinge, &goal, &self.from, &self.limits(), 1e-9).map_err(fault)?;
+            let held =
+                self.rig.kin.hold_within(in_hinge, &goal, &self.from, &self.limits(), 1e-9).map_err(fault)?;
             if let Some(state) = held {
                 self.rig.write(self.figure, pose, &state);
             }
@@ -85,7 +91,9 @@ impl<'a> Grip<'a> {
         let solve = |goal| self.rig.kin.reach_within(in_hinge, goal, &self.from, &self.limits(), WINDOW);
         let reach = match solve(&goal) {
             // At the root there is no direction: fold along the present one.
-            Err(Degenerate::TargetAtRoot) => solve(&LimbGoal { target: kept.target.normalize_or(DVec3::Y) * 1e-9, ..goal }),
+            Err(Degenerate::TargetAtRoot) => {
+                solve(&LimbGoal { target: kept.target.normalize_or(DVec3::Y) * 1e-9, ..goal })
+            }
             other => other,
         };
         let reach = reach.map_err(fault)?;
@@ -110,13 +118,24 @@ impl<'a> Grip<'a> {
     }
 
     /// As [`Grip::follow`] with the elevation kept: where a range is in the way, the limb stays as it is.
-    pub fn follow_strictly(&self, pose: &mut Pose, frames: &Frames, contact: &Contact) -> Result<bool, GestureError> {
+    pub fn follow_strictly(
+        &self,
+        pose: &mut Pose,
+        frames: &Frames,
+        contact: &Contact,
+    ) -> Result<bool, GestureError> {
         Grip { strict: true, ..*self }.follow(pose, frames, contact)
     }
 
     /// Brings the end's joint to where the articulator is on its target with the end's rotation kept. Where
     /// wrist or ankle can't keep the rotation, or the limb can't reach, the articulator's place wins.
-    fn plant(&self, pose: &mut Pose, frames: &Frames, target: DVec3, rotation: DQuat) -> Result<bool, GestureError> {
+    fn plant(
+        &self,
+        pose: &mut Pose,
+        frames: &Frames,
+        target: DVec3,
+        rotation: DQuat,
+    ) -> Result<bool, GestureError> {
         let limb = self.rig.limb;
         let end = limb.parts().end;
         let at = self.figure.articulator(pose, limb);
@@ -149,14 +168,23 @@ impl<'a> Grip<'a> {
     }
 
     /// As [`Grip::plant`] for a point of the lower segment, which the end's rotation does not move.
-    fn plant_segment(&self, pose: &mut Pose, frames: &Frames, target: DVec3, rotation: DQuat) -> Result<bool, GestureError> {
+    fn plant_segment(
+        &self,
+        pose: &mut Pose,
+        frames: &Frames,
+        target: DVec3,
+        rotation: DQuat,
+    ) -> Result<bool, GestureError> {
         let at = self.figure.articulator(pose, self.rig.limb);
         let mut limited = false;
-        // The forearm's twist moves a point on its skin: turn, then bring the point back.
-        for _ in 0..2 {
+        // The forearm's twist moves a point on its skin by a little: turn, bring the point back, until it stays.
+        for _ in 0..SEGMENT_ROUNDS {
             let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
             limited = self.bring(pose, frames, in_hinge, target, &self.kept)?;
             limited |= self.turn(pose, frames, rotation);
+            if self.place(pose, frames, at.bone, at.at).distance(target) < 1e-13 {
+                break;
+            }
         }
         let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
         Ok(self.bring(pose, frames, in_hinge, target, &self.kept)? || limited)
@@ -170,7 +198,8 @@ impl<'a> Grip<'a> {
 
     fn base_from_bent_hinge(&self, pose: &Pose) -> DQuat {
         let parts = self.rig.limb.parts();
-        let rotation = |bone, angles| self.figure.skeleton.joint(bone).map_or(DQuat::IDENTITY, |j| j.rotation(angles));
+        let rotation =
+            |bone, angles| self.figure.skeleton.joint(bone).map_or(DQuat::IDENTITY, |j| j.rotation(angles));
         let bent = Angles { flexion: pose.angles(parts.hinge).flexion, ..Angles::REST };
         rotation(parts.root, pose.angles(parts.root)) * rotation(parts.hinge, bent)
     }
@@ -230,7 +259,8 @@ impl<'a> Grip<'a> {
         if self.limits().hinge.excess(other.angle) > 1e-9 {
             return Err(GestureError::NoFlip { limb, degrees: other.angle.to_degrees() });
         }
-        let reach = self.rig.kin.reach_within(about, &goal, &self.from, &self.limits(), WINDOW).map_err(fault)?;
+        let reach =
+            self.rig.kin.reach_within(about, &goal, &self.from, &self.limits(), WINDOW).map_err(fault)?;
         self.rig.write(self.figure, pose, &reach.state);
         Ok(reach.limited)
     }
@@ -241,6 +271,9 @@ const MET: f64 = 1e-9;
 
 /// Rounds in which a planted end that can't keep its rotation settles between rotation and place.
 const PLANT_ROUNDS: usize = 3;
+
+/// The most rounds in which a planted forearm settles; each comes several times nearer.
+const SEGMENT_ROUNDS: usize = 32;
 
 /// The goal of an elevation, radians.
 #[derive(Clone, Copy)]

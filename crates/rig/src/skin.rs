@@ -8,7 +8,8 @@ use crate::{Bone, Bounds, Frames, Mesh};
 /// Places in a palette: the bones, padded to a round number for the uniform buffer.
 pub const PALETTE_LEN: usize = 64;
 
-/// One affine matrix a bone, three rows of four: takes a point of the skin at rest to the posed figure, metres.
+/// One affine matrix a bone, three rows of four: takes a point of the skin at rest to the posed figure, metres,
+/// in the space of the frames that it was made from (figure or world).
 ///
 /// Laid out as the shader's `array<mat3x4<f32>, 64>`; places beyond the last bone are the identity.
 #[derive(Clone, Copy, PartialEq, Debug, Pod, Zeroable)]

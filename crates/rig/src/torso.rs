@@ -13,15 +13,23 @@ use crate::{Articulation, Bone, Dof, Figure, GestureError, Joint, Moved, Pose, f
 ///
 /// # Errors
 /// A spine with fewer than three joints, a point at the spine's foot, numbers that are not finite.
-pub fn aim_spine(figure: &Figure, before: &Pose, at: DVec3, twist: f64, ranges: bool) -> Result<Moved, GestureError> {
+pub fn aim_spine(
+    figure: &Figure,
+    before: &Pose,
+    at: DVec3,
+    twist: f64,
+    ranges: bool,
+) -> Result<Moved, GestureError> {
     finite(at, "the aim")?;
     if !twist.is_finite() {
         return Err(GestureError::NotFinite { what: "the twist" });
     }
     let bones = [Bone::Spine, Bone::Chest, Bone::UpperChest];
-    let [spine, chest, upper_chest] = [present(figure, bones[0])?, present(figure, bones[1])?, present(figure, bones[2])?];
+    let [spine, chest, upper_chest] =
+        [present(figure, bones[0])?, present(figure, bones[1])?, present(figure, bones[2])?];
     let neck = present(figure, Bone::Neck)?;
-    let column = Column::new([chest.offset, upper_chest.offset, neck.offset]).map_err(|_| GestureError::NoDirection)?;
+    let column = Column::new([chest.offset, upper_chest.offset, neck.offset])
+        .map_err(|_| GestureError::NoDirection)?;
     let base = frames(figure, before)[Bone::Hips].then(Frame::new(DQuat::IDENTITY, spine.offset));
     let locals = [spine, chest, upper_chest].map(|joint| joint.rotation(before.angles(joint.bone)));
     let state = column.recover(&locals).map_err(|_| GestureError::NoDirection)?;
@@ -44,7 +52,8 @@ pub fn aim_spine(figure: &Figure, before: &Pose, at: DVec3, twist: f64, ranges: 
 pub fn look_at(figure: &Figure, before: &Pose, at: DVec3, ranges: bool) -> Result<Moved, GestureError> {
     finite(at, "the point to look at")?;
     let (neck, head) = (present(figure, Bone::Neck)?, present(figure, Bone::Head)?);
-    let gaze = Gaze::new([head.offset, between_eyes(figure)], DVec3::Z, DVec3::Y).map_err(|_| GestureError::NoDirection)?;
+    let gaze = Gaze::new([head.offset, between_eyes(figure)], DVec3::Z, DVec3::Y)
+        .map_err(|_| GestureError::NoDirection)?;
     let carrier = neck.carrier.unwrap_or(Bone::Hips);
     let base = frames(figure, before)[carrier].then(Frame::new(DQuat::IDENTITY, neck.offset));
     let locals = [neck, head].map(|joint| joint.rotation(before.angles(joint.bone)));
@@ -95,7 +104,15 @@ fn turn_to(joint: &Joint, pose: &mut Pose, local: DQuat, before: &Pose, ranges: 
     stopped
 }
 
-fn stop(pose: &mut Pose, before: &Pose, bone: Bone, dof: Dof, range: Interval, angle: f64, ranges: bool) -> bool {
+fn stop(
+    pose: &mut Pose,
+    before: &Pose,
+    bone: Bone,
+    dof: Dof,
+    range: Interval,
+    angle: f64,
+    ranges: bool,
+) -> bool {
     let range = if ranges { radians(range.reaching(before.angles(bone).get(dof))) } else { Interval::FREE };
     let held = range.clamp(angle);
     set(pose, bone, dof, held.to_degrees());

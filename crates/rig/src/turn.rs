@@ -114,7 +114,8 @@ pub fn turn(
     if !degrees.is_finite() {
         return Err(GestureError::NotFinite { what: "the angle" });
     }
-    let held = if ranges { live_range(joint, before.angles(bone), dof, true).clamp(degrees) } else { degrees };
+    let held =
+        if ranges { live_range(joint, before.angles(bone), dof, true).clamp(degrees) } else { degrees };
     let mut pose = before.clone();
     pose.angles[bone.index()].set(dof, held);
     let own = Limb::of(bone).filter(|limb| bone <= limb.parts().end);

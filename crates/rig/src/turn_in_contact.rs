@@ -104,7 +104,9 @@ impl<'a> Turner<'a> {
     /// Whether the contact holds at an angle as well as it does now, with the elevation kept.
     fn keeps(&self, degrees: f64) -> bool {
         let (limb, figure) = (self.grip.rig.limb, self.grip.figure);
-        let (Ok(pose), Contact::Point { space, target }) = (self.turned(degrees), self.contact) else { return false };
+        let (Ok(pose), Contact::Point { space, target }) = (self.turned(degrees), self.contact) else {
+            return false;
+        };
         articulator_in(figure, &pose, limb, space).distance(target) <= self.missed + 1e-11
     }
 
