@@ -1,10 +1,9 @@
-//! Draws a number of pictures of a moving body, for timing from outside:
+//! Draws a number of pictures of the moving mannequin, for timing from outside:
 //! `time frames COUNT [msaa1] [noshadow] [half] [empty]`. The cost of a picture is the slope over COUNT.
 #![allow(clippy::unwrap_used)]
 
-use glam::DQuat;
 use render::{FigureView, Gpu, Look, Msaa, Renderer, Scene};
-use rig::{Bone, Camera, View};
+use rig::{Camera, View};
 
 #[path = "../tests/body/mod.rs"]
 mod body;
@@ -15,7 +14,8 @@ fn main() {
     let count: u32 = args.first().map_or(10, |n| n.parse().unwrap());
     let gpu = Gpu::headless().unwrap();
     let mut renderer = Renderer::new(&gpu);
-    renderer.set_mesh(0, &body::mesh()).unwrap();
+    let figure = interchange::figure::mannequin().unwrap();
+    renderer.set_mesh(0, figure.skin.as_ref().unwrap()).unwrap();
     let look = Look {
         msaa: if has("msaa1") { Msaa::One } else { Msaa::Four },
         shadow: !has("noshadow"),
@@ -25,9 +25,11 @@ fn main() {
         ..Look::default()
     };
     for i in 0..count {
-        let turn = DQuat::from_rotation_z(-0.8 + 0.02 * f64::from(i % 40));
-        let palette =
-            body::posed(&[(Bone::LeftUpperArm, turn), (Bone::Chest, turn.slerp(DQuat::IDENTITY, 0.8))]);
+        let flexion = 20.0 + f64::from(i % 40);
+        let mut angles = body::relaxed();
+        angles[0].1.flexion = flexion;
+        angles[5].1.twist = flexion * 0.2;
+        let palette = body::palette_of(&figure, &angles);
         let figures = [FigureView::new(&palette)];
         let shown = if has("empty") { &figures[..0] } else { &figures[..] };
         let camera = Camera::view(View::ThreeQuarter, renderer.bounds(&figures), 1.6);

@@ -1,4 +1,4 @@
-//! Writes a picture of the test body to standard output, as PAM:
+//! Writes a picture of the mannequin to standard output, as PAM:
 //! `look VIEW [color|depth|normal|silhouette] [plain] [ghost] [near] [high] [lean] [transparent] > out.pam`.
 #![allow(clippy::unwrap_used)]
 
@@ -20,8 +20,8 @@ fn main() {
     let passes = [("depth", Pass::Depth), ("normal", Pass::Normal), ("silhouette", Pass::Silhouette)];
     let pass = passes.into_iter().find(|(word, _)| has(word)).map_or(Pass::Color, |(_, pass)| pass);
     let mut renderer = Renderer::new(&Gpu::headless().unwrap());
-    renderer.set_mesh(0, &body::mesh()).unwrap();
-    let palette = body::standing();
+    let (mesh, palette) = body::mannequin(&body::relaxed());
+    renderer.set_mesh(0, &mesh).unwrap();
     let plain = FigureView::new(&palette);
     let marked = FigureView { selected: &[Bone::LeftLowerArm], hovered: &[Bone::RightUpperLeg], ..plain };
     let ghost = FigureView {

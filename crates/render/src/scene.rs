@@ -49,7 +49,7 @@ pub struct FigureView<'a> {
     pub skin: usize,
     /// Its posed bones.
     pub palette: &'a Palette,
-    /// Where it stands; a rigid transform.
+    /// Where it stands, a rigid transform; the identity if the palette was made from frames in the world.
     pub world_from_figure: Mat4,
     /// Bones drawn in [`Look::selected`].
     pub selected: &'a [Bone],
@@ -148,7 +148,7 @@ impl Default for Look {
             shadow: true,
             msaa: Msaa::Four,
             scale: 1.0,
-            key_light: Vec3::new(0.75, 1.0, 0.6),
+            key_light: Vec3::new(-0.5, 1.05, 0.8),
             selected: [255, 128, 30, 190],
             hovered: [255, 184, 96, 110],
         }

@@ -154,3 +154,38 @@ pub fn ball(center: Vec3, radius: f32) -> Mesh {
     }
     mesh
 }
+
+/// The mannequin that comes with the program, and its palette in a pose given as angles in degrees by joint.
+pub fn mannequin(angles: &[(Bone, rig::Angles)]) -> (Mesh, Palette) {
+    let figure = interchange::figure::mannequin().expect("the mannequin is whole");
+    let palette = palette_of(&figure, angles);
+    (figure.skin.expect("the mannequin has a skin"), palette)
+}
+
+/// The palette of a figure in a pose given as angles in degrees by joint.
+pub fn palette_of(figure: &rig::Figure, angles: &[(Bone, rig::Angles)]) -> Palette {
+    let rest = Bone::ALL.map(|bone| figure.skeleton.rest_position(bone));
+    let mut pose = rig::Pose::rest(rest[Bone::Hips.index()]);
+    for (bone, a) in angles {
+        pose.angles[bone.index()] = *a;
+    }
+    Palette::new(&rig::frames(figure, &pose), &rest)
+}
+
+/// Hands at the sides, one forearm raised, weight on one leg.
+pub fn relaxed() -> Vec<(Bone, rig::Angles)> {
+    let a = |flexion, abduction, twist| rig::Angles { flexion, abduction, twist };
+    vec![
+        (Bone::LeftUpperArm, a(40.0, -55.0, 0.0)),
+        (Bone::LeftLowerArm, a(95.0, 0.0, -60.0)),
+        (Bone::RightUpperArm, a(5.0, -78.0, 0.0)),
+        (Bone::RightLowerArm, a(15.0, 0.0, -40.0)),
+        (Bone::Head, a(4.0, 0.0, 20.0)),
+        (Bone::Chest, a(0.0, 3.0, 8.0)),
+        (Bone::LeftUpperLeg, a(0.0, 6.0, 0.0)),
+        (Bone::RightUpperLeg, a(22.0, 5.0, 0.0)),
+        (Bone::RightLowerLeg, a(28.0, 0.0, 0.0)),
+        (Bone::LeftIndexProximal, a(20.0, 0.0, 0.0)),
+        (Bone::LeftMiddleProximal, a(30.0, 0.0, 0.0)),
+    ]
+}
