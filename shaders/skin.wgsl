@@ -41,6 +41,10 @@ fn bit_of(mask: vec2<u32>, bone: u32) -> f32 {
 
 // How much of a vertex belongs to the marked bones.
 fn share(mask: vec2<u32>, joints: vec4<u32>, weights: vec4<f32>) -> f32 {
+    // Mostly nothing is marked, and all vertices agree about that.
+    if (mask.x | mask.y) == 0u {
+        return 0.0;
+    }
     return dot(weights, vec4(bit_of(mask, joints.x), bit_of(mask, joints.y),
         bit_of(mask, joints.z), bit_of(mask, joints.w)));
 }
