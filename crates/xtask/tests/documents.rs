@@ -56,6 +56,22 @@ fn the_table_of_signs_is_that_of_the_mannequin() {
     assert!(checked >= 3 * 13, "only {checked} cells found");
 }
 
+#[test]
+fn the_tests_that_the_architecture_names_exist() {
+    let document = read("docs/ARCHITECTURE.md");
+    let (mut source, mut checked) = (String::new(), 0);
+    let rows = document.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").nth(1));
+    for name in rows.flat_map(|cell| cell.split('`').skip(1).step_by(2)) {
+        if name.ends_with(".rs") && name.contains('/') {
+            source = read(&format!("crates/{name}"));
+        } else if name.contains('_') && !name.contains('.') {
+            assert!(source.contains(&format!("fn {name}(")), "no test is called {name}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "only {checked} tests found in the table");
+}
+
 /// An axis along one of the world's, as the table writes it; `None` if the joint lacks the degree of freedom.
 fn axis(figure: &Figure, bone: Bone, dof: Dof) -> Option<String> {
     let axis = match &figure.skeleton.joint(bone)?.articulation {
