@@ -155,6 +155,7 @@ fn say(message: &str) {
 
 fn act(line: Line) -> Result<(), Vec<Failure>> {
     let one = |failure| vec![failure];
+    known(&line).map_err(one)?;
     match line.task {
         None => crate::window::run(&line.files, line.window.ui_map.as_deref()).map_err(one),
         Some(Task::Run { script, on, figure, save, report }) => {
@@ -166,6 +167,17 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
         }
         Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
+    }
+}
+
+/// A word that is no file and has no ending was meant as a command.
+fn known(line: &Line) -> Result<(), Failure> {
+    match line.files.iter().find(|file| file.extension().is_none() && !file.exists()) {
+        Some(word) => {
+            let message = format!("\"{}\" is neither a command nor a file; see `posewright --help`", word.display());
+            Err(Failure::Usage(message))
+        }
+        None => Ok(()),
     }
 }
 

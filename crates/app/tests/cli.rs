@@ -1,0 +1,218 @@
+//! The command line as a shell sees it: outputs, exit codes, what is said of bad input.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn posewright(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
+    command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    command.output().expect("the program starts")
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("the program ends by itself")
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a plain path")
+}
+
+fn script(name: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../assets/scripts").join(name);
+    text(&path).to_owned()
+}
+
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Folder {
+        Folder(tempfile::tempdir().expect("a temporary folder"))
+    }
+
+    fn file(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        fs::write(&path, content).expect("a file is written");
+        path
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+}
+
+#[test]
+fn run_saves_a_pose_and_reports_every_command() {
+    let folder = Folder::new();
+    let (pose, report) = (folder.path("end.pose.ron"), folder.path("report.json"));
+    let nose = script("fingertip-to-nose.script.ron");
+    let output = posewright(&["run", &nose, "--save", text(&pose), "--report", text(&report)]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let records: Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
+    let records = records.as_array().unwrap();
+    assert!(records.len() > 10);
+    let rotation = records[0]["joints"]["leftHand"]["rotation"].as_array().unwrap();
+    assert_eq!(rotation.iter().map(|v| v.as_f64().unwrap().abs()).collect::<Vec<_>>(), [0.0, 0.0, 0.0, 1.0]);
+    for record in records {
+        assert!(record["command"].is_string() && record["clamped"].is_boolean());
+        assert_eq!(record["joints"].as_object().unwrap().len(), 55);
+        assert_eq!(record["limbs"].as_object().unwrap().len(), 4);
+        assert_eq!(record["center_of_mass"].as_array().unwrap().len(), 3);
+        let arm = &record["limbs"]["leftArm"];
+        for key in ["contact", "articulator", "target", "residual", "rotation_residual", "elevation", "elevation_range", "branch"] {
+            assert!(!arm[key].is_null(), "{key}");
+        }
+    }
+    // What was saved is what was reported last, to the last bit.
+    let output = posewright(&["inspect", text(&pose), "--json"]);
+    let inspected: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(inspected["joints"], records.last().unwrap()["joints"]);
+}
+
+#[test]
+fn run_starts_on_a_pose() {
+    let folder = Folder::new();
+    let pose = folder.file("a.pose.ron", "(version: 1, joints: {\"leftLowerArm\": (flexion: 30.0)})");
+    let turn = folder.file(
+        "a.script.ron",
+        "(version: 1, commands: [Turn(joint: \"leftLowerArm\", dof: Flexion, degrees: 12.5, by: Delta)])",
+    );
+    let output = posewright(&["run", text(&turn), "--on", text(&pose), "--report", "-"]);
+    let records: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(records[1]["joints"]["leftLowerArm"]["angles"]["flexion"], 42.5);
+}
+
+#[test]
+fn render_draws_a_png_of_the_asked_size() {
+    let folder = Folder::new();
+    for pass in ["color", "depth", "normal", "silhouette", "openpose"] {
+        let png = folder.path(&format!("{pass}.png"));
+        let table = script("hand-on-table.script.ron");
+        let output = posewright(&["render", &table, "-o", text(&png), "--size", "200x120", "--pass", pass]);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        let image = image::open(&png).unwrap().to_rgba8();
+        assert_eq!(image.dimensions(), (200, 120));
+        let first = *image.get_pixel(100, 60);
+        assert!(image.pixels().any(|p| *p != first), "{pass} is one colour");
+    }
+}
+
+#[test]
+fn bad_input_is_exit_1_with_its_place() {
+    let folder = Folder::new();
+    let many = "(".repeat(15 << 20);
+    let cases: [(&str, String, &str); 9] = [
+        ("malformed.pose.ron", "(version: 1,\n joints: {\"head\" (flexion: 3)})".to_owned(), ":2:"),
+        ("truncated.pose.ron", "(version: 1,\n joints: {\"head\": (flexi".to_owned(), ":2:"),
+        ("version.pose.ron", "(\n version: 99)".to_owned(), ":2:2: version 99"),
+        ("bone.pose.ron", "(version: 1, joints: {\n\"tail\": (flexion: 3)})".to_owned(), ":2:"),
+        ("field.pose.ron", "(version: 1,\n\n colour: 1)".to_owned(), ":3:"),
+        ("nan.pose.ron", "(version: 1, joints: {\"head\": (flexion: NaN)})".to_owned(), ":1:"),
+        ("brackets.pose.ron", many, ":1:"),
+        ("command.script.ron", "(version: 1, commands: [\n  Fly(limb: LeftArm)])".to_owned(), ":2:"),
+        ("bone.script.ron", "(version: 1, commands: [\n\n  Turn(joint: \"leftLowerArm\", dof: Abduction, degrees: 3, by: To)])".to_owned(), ":3:3: Turn: \"leftLowerArm\" has no abduction"),
+    ];
+    for (name, content, place) in &cases {
+        let path = folder.file(name, content);
+        let png = folder.file("kept.png", "kept");
+        for arguments in [
+            vec!["check", text(&path)],
+            vec!["inspect", text(&path), "--json"],
+            vec!["render", text(&path), "-o", text(&png)],
+        ] {
+            let output = posewright(&arguments);
+            let message = said(&output);
+            assert_eq!(code(&output), 1, "{arguments:?}: {message}");
+            assert!(message.contains(&format!("{}{place}", path.display())), "{arguments:?}: {message}");
+            assert!(output.stdout.is_empty(), "{arguments:?}");
+            assert!(!message.contains("panicked"), "{message}");
+        }
+        assert_eq!(fs::read(&png).unwrap(), b"kept", "nothing is overwritten");
+    }
+}
+
+#[test]
+fn a_hundred_megabytes_of_brackets_are_turned_down() {
+    let folder = Folder::new();
+    let path = folder.file("brackets.pose.ron", vec![b'['; 100 << 20]);
+    let output = posewright(&["check", text(&path)]);
+    assert_eq!(code(&output), 1);
+    assert!(said(&output).contains("brackets.pose.ron:1:1: larger than"), "{}", said(&output));
+}
+
+#[test]
+fn a_script_that_stops_halfway_saves_nothing() {
+    let folder = Folder::new();
+    let half = folder.file(
+        "half.script.ron",
+        "(version: 1, commands: [\n  Ranges(on: false),\n  Handshape(side: Left, name: \"claw\"),\n])",
+    );
+    let saved = folder.file("kept.pose.ron", "kept");
+    let output = posewright(&["run", text(&half), "--save", text(&saved)]);
+    assert_eq!(code(&output), 1);
+    let message = said(&output);
+    assert!(message.contains("half.script.ron:3:3:") && message.contains("claw") && message.contains("fist"), "{message}");
+    assert_eq!(fs::read(&saved).unwrap(), b"kept");
+}
+
+#[test]
+fn check_names_each_fault_and_passes_what_is_good() {
+    let folder = Folder::new();
+    let good = folder.file("good.pose.ron", "(version: 1, joints: {})");
+    assert_eq!(code(&posewright(&["check", text(&good), &script("hand-on-hip.script.ron")])), 0);
+    let (a, b) = (folder.file("a.pose.ron", "("), folder.file("b.pose.ron", "(version: 2)"));
+    let output = posewright(&["check", text(&a), text(&good), text(&b)]);
+    assert_eq!(code(&output), 1);
+    let message = said(&output);
+    assert!(message.contains("a.pose.ron:") && message.contains("b.pose.ron:1:2: version 2"), "{message}");
+    assert!(!message.contains("good.pose.ron"));
+}
+
+#[test]
+fn files_that_are_missing_or_unknown_are_exit_1() {
+    for file in ["missing.pose.ron", "picture.jpeg"] {
+        let output = posewright(&["inspect", file]);
+        assert_eq!(code(&output), 1);
+        assert!(said(&output).contains(file), "{}", said(&output));
+    }
+}
+
+#[test]
+fn wrong_usage_is_exit_2_and_help_is_0() {
+    for arguments in [vec!["render"], vec!["fly"], vec!["run", "--loud"], vec!["render", "a.pose.ron", "-o", "a.png", "--size", "0x9"], vec!["render", "a.pose.ron", "-o", "a.png", "--view", "below"]] {
+        assert_eq!(code(&posewright(&arguments)), 2, "{arguments:?}");
+    }
+    for task in ["run", "render", "inspect", "check"] {
+        let output = posewright(&[task, "--help"]);
+        assert_eq!(code(&output), 0);
+        assert!(String::from_utf8_lossy(&output.stdout).contains("Usage"));
+    }
+}
+
+#[test]
+fn without_a_display_the_window_is_exit_3_with_the_cure() {
+    let output = posewright(&[]);
+    assert_eq!(code(&output), 3, "{}", said(&output));
+    let message = said(&output);
+    assert!(message.contains("display") && message.contains("render"), "{message}");
+}
+
+#[test]
+fn without_an_adapter_render_is_exit_3_with_the_cure() {
+    let folder = Folder::new();
+    let png = folder.path("a.png");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
+    // No driver is found where the loader looks, and no other backend is asked.
+    command.env("VK_ICD_FILENAMES", "none.json").env("VK_DRIVER_FILES", "none.json").env("WGPU_BACKEND", "vulkan");
+    let table = script("hand-on-table.script.ron");
+    let output = command.args(["render", &table, "-o", text(&png)]).output().unwrap();
+    assert_eq!(code(&output), 3, "{}", said(&output));
+    assert!(said(&output).contains("mesa-vulkan-drivers"), "{}", said(&output));
+    assert!(!png.exists());
+}
