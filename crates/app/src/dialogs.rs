@@ -85,7 +85,8 @@ impl Dialogs {
         let dialog = self.now.clone()?;
         let mut answer = None;
         let mut close = false;
-        let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(16);
+        let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
             ui.set_width(if dialog == Dialog::Help { 560.0 } else { 460.0 });
             match &dialog {
                 Dialog::OpenPath | Dialog::SavePath(_) => (answer, close) = self.path(ui, &dialog),

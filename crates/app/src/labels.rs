@@ -67,8 +67,12 @@ pub const fn side(side: Side) -> &'static str {
 
 /// The full name of one slider: `Left elbow · flexion`.
 pub fn slider(bone: Bone, dof: Dof) -> String {
-    let name = with_side(bone.side(), joint_of(bone, dof));
-    format!("{name} · {}", angle(dof))
+    format!("{} · {}", full_of(bone, dof), angle(dof))
+}
+
+/// The full name of what one angle turns: `Left forearm`.
+pub fn full_of(bone: Bone, dof: Dof) -> String {
+    with_side(bone.side(), joint_of(bone, dof))
 }
 
 /// The full name of a joint: `Left elbow`.

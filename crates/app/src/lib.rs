@@ -4,7 +4,7 @@ pub mod cli;
 mod dialogs;
 pub mod disk;
 pub mod failure;
-mod labels;
+pub mod labels;
 pub mod load;
 mod number;
 mod painter;

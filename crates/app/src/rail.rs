@@ -77,12 +77,13 @@ impl Rail<'_> {
             ui.data_mut(|data| data.remove::<f64>(goal_id));
             return None;
         }
-        let fine = if ui.input(|i| i.modifiers.shift) { 0.1 } else { 1.0 };
+        // Whole tenths: what a hand sets reads well in a file.
+        let (fine, grains) = if ui.input(|i| i.modifiers.shift) { (0.1, 100.0) } else { (1.0, 10.0) };
         let per_point = (self.span.max - self.span.min) / f64::from(response.rect.width().max(1.0));
         let former = ui.data(|data| data.get_temp::<f64>(goal_id));
         let goal = former.unwrap_or(self.value) + f64::from(response.drag_delta().x) * per_point * fine;
         ui.data_mut(|data| data.insert_temp(goal_id, goal));
-        (former != Some(goal)).then_some(Change::Preview(goal))
+        (former != Some(goal)).then(|| Change::Preview((goal * grains).round() / grains))
     }
 
     fn x_of(&self, rect: Rect, value: f64) -> f32 {

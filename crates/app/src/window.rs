@@ -41,7 +41,7 @@ fn session(files: &[PathBuf]) -> Result<Session, Failure> {
     }
     let figure = load::figure(figure.map(PathBuf::as_path))?;
     let Some(path) = shown else {
-        let pose = load::standing(&figure)?;
+        let pose = load::standing(&figure);
         return Ok(Session::new(Editor::in_pose(figure, pose), None));
     };
     if Kind::of(path)? == Kind::Pose {

@@ -65,7 +65,16 @@ fn run_saves_a_pose_and_reports_every_command() {
         assert_eq!(record["limbs"].as_object().unwrap().len(), 4);
         assert_eq!(record["center_of_mass"].as_array().unwrap().len(), 3);
         let arm = &record["limbs"]["leftArm"];
-        for key in ["contact", "articulator", "target", "residual", "rotation_residual", "elevation", "elevation_range", "branch"] {
+        for key in [
+            "contact",
+            "articulator",
+            "target",
+            "residual",
+            "rotation_residual",
+            "elevation",
+            "elevation_range",
+            "branch",
+        ] {
             assert!(!arm[key].is_null(), "{key}");
         }
     }
@@ -157,7 +166,10 @@ fn a_script_that_stops_halfway_saves_nothing() {
     let output = posewright(&["run", text(&half), "--save", text(&saved)]);
     assert_eq!(code(&output), 1);
     let message = said(&output);
-    assert!(message.contains("half.script.ron:3:3:") && message.contains("claw") && message.contains("fist"), "{message}");
+    assert!(
+        message.contains("half.script.ron:3:3:") && message.contains("claw") && message.contains("fist"),
+        "{message}"
+    );
     assert_eq!(fs::read(&saved).unwrap(), b"kept");
 }
 
@@ -185,7 +197,13 @@ fn files_that_are_missing_or_unknown_are_exit_1() {
 
 #[test]
 fn wrong_usage_is_exit_2_and_help_is_0() {
-    for arguments in [vec!["render"], vec!["fly"], vec!["run", "--loud"], vec!["render", "a.pose.ron", "-o", "a.png", "--size", "0x9"], vec!["render", "a.pose.ron", "-o", "a.png", "--view", "below"]] {
+    for arguments in [
+        vec!["render"],
+        vec!["fly"],
+        vec!["run", "--loud"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--size", "0x9"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--view", "below"],
+    ] {
         assert_eq!(code(&posewright(&arguments)), 2, "{arguments:?}");
     }
     for task in ["run", "render", "inspect", "check"] {
@@ -209,7 +227,10 @@ fn without_an_adapter_render_is_exit_3_with_the_cure() {
     let png = folder.path("a.png");
     let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
     // No driver is found where the loader looks, and no other backend is asked.
-    command.env("VK_ICD_FILENAMES", "none.json").env("VK_DRIVER_FILES", "none.json").env("WGPU_BACKEND", "vulkan");
+    command
+        .env("VK_ICD_FILENAMES", "none.json")
+        .env("VK_DRIVER_FILES", "none.json")
+        .env("WGPU_BACKEND", "vulkan");
     let table = script("hand-on-table.script.ron");
     let output = command.args(["render", &table, "-o", text(&png)]).output().unwrap();
     assert_eq!(code(&output), 3, "{}", said(&output));

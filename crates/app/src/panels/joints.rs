@@ -66,7 +66,7 @@ impl Sheet<'_> {
         let id = egui::Id::unique(("words", bone.index(), dof as usize));
         let response = ui.interact(words, id, Sense::click()).on_hover_text(labels::meaning(bone, dof));
         if first {
-            let name = format!("Choose {}", labels::full(bone).to_lowercase());
+            let name = format!("Choose {}", labels::full_of(bone, dof).to_lowercase());
             response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
         }
         if response.clicked() {
