@@ -35,11 +35,24 @@ pub struct Gpu {
 impl Gpu {
     /// Opens the best adapter without a window, honouring `WGPU_BACKEND`.
     ///
+    /// Unless that names one, the first-class backends are asked before OpenGL, whose loaders take longer and
+    /// print to standard error.
+    ///
     /// # Errors
     /// No adapter, or one that refuses a device.
     pub fn headless() -> Result<Gpu, GpuError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        Gpu::open(&instance, None)
+        let on = |backends| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+            descriptor.backends = backends;
+            Gpu::open(&wgpu::Instance::new(descriptor), None)
+        };
+        if let Some(asked) = wgpu::Backends::from_env() {
+            return on(asked);
+        }
+        match on(wgpu::Backends::PRIMARY) {
+            Err(GpuError::NoAdapter(_)) => on(wgpu::Backends::all()),
+            other => other,
+        }
     }
 
     /// Opens the best adapter of an instance, able to present to the surface if there is one.

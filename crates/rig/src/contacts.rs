@@ -26,7 +26,7 @@ pub fn contact_order(pose: &Pose) -> Result<[Limb; 4], GestureError> {
             }
         }
     }
-    order.try_into().map_err(|limbs| GestureError::Cycle(limbs))
+    order.try_into().map_err(GestureError::Cycle)
 }
 
 /// The limb on which a limb holds, if it holds on one.
