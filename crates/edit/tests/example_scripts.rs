@@ -16,7 +16,8 @@ fn run(name: &str) -> (Script, Vec<Report>) {
     let text = std::fs::read_to_string(folder().join(format!("{name}.script.ron"))).expect(name);
     let script = parse_script(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
     let figure = Arc::new(interchange::figure::bare_mannequin().expect("the shipped figure loads"));
-    let reports = run_script(&mut Editor::new(figure), &script, &mut NoFiles).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let reports =
+        run_script(&mut Editor::new(figure), &script, &mut NoFiles).unwrap_or_else(|e| panic!("{name}: {e}"));
     assert_eq!(reports.len(), script.commands.len() + 1);
     (script, reports)
 }
@@ -34,7 +35,11 @@ fn arm<'a>(report: &'a Report, limb: &str) -> &'a LimbReport {
 }
 
 /// The records made by commands that fit, with the record before each.
-fn steps(script: &Script, reports: &[Report], fits: impl Fn(&Command) -> bool) -> Vec<(Command, Report, Report)> {
+fn steps(
+    script: &Script,
+    reports: &[Report],
+    fits: impl Fn(&Command) -> bool,
+) -> Vec<(Command, Report, Report)> {
     let found: Vec<_> = script
         .commands
         .iter()
@@ -55,7 +60,12 @@ fn every_shipped_script_runs_unstopped() {
         for report in &reports {
             assert!(!report.clamped, "{name}: {}", report.command);
             for (limb, state) in &report.limbs {
-                assert!(state.residual < 1e-9, "{name}: {}: {limb} is {} m off", report.command, state.residual);
+                assert!(
+                    state.residual < 1e-9,
+                    "{name}: {}: {limb} is {} m off",
+                    report.command,
+                    state.residual
+                );
             }
         }
         count += 1;
@@ -72,7 +82,8 @@ fn fingertip_stays_on_the_nose_with_the_elbow_up_down_and_between() {
     for (command, before, after) in &lifts {
         let Command::Elevate { degrees, by: By::To, .. } = command else { panic!("{command:?}") };
         assert!((arm(after, "leftArm").elevation.unwrap() - degrees).abs() < 1e-9);
-        let moved = DVec3::from(arm(after, "leftArm").articulator).distance(arm(before, "leftArm").articulator.into());
+        let moved = DVec3::from(arm(after, "leftArm").articulator)
+            .distance(arm(before, "leftArm").articulator.into());
         assert!(moved < 1e-9, "the fingertip moved by {moved} m");
         for joint in ["leftLowerArm", "leftHand", "leftIndexDistal", "leftShoulder"] {
             assert_eq!(angles(after, joint), angles(before, joint), "{joint}");
@@ -112,12 +123,16 @@ fn a_straightened_arm_carries_on_without_a_jump() {
     assert_eq!(before.joints, stays.joints, "Here moves nothing, bit for bit");
     assert_eq!(angles(stays, "leftLowerArm")["flexion"], 0.0, "the arm is straight");
     for (command, before, after) in &reaches {
-        let goal = DVec3::from(arm(after, "leftArm").target).distance(arm(before, "leftArm").articulator.into());
+        let goal =
+            DVec3::from(arm(after, "leftArm").target).distance(arm(before, "leftArm").articulator.into());
         let elbow = at(after, "leftLowerArm").distance(at(before, "leftLowerArm"));
         // Near full stretch the elbow leaves the line as the square root of what is missing, no faster.
         let most = (2.0 * goal * 0.28).sqrt() + goal;
         assert!(elbow <= most, "{}: the elbow went {elbow} m for {goal} m", command.text());
-        assert!((arm(after, "leftArm").elevation.unwrap() - arm(before, "leftArm").elevation.unwrap()).abs() < 1e-5);
+        assert!(
+            (arm(after, "leftArm").elevation.unwrap() - arm(before, "leftArm").elevation.unwrap()).abs()
+                < 1e-5
+        );
     }
 }
 
@@ -148,9 +163,15 @@ fn hands_on_the_body_stay_while_the_torso_bends() {
     });
     for (_, before, after) in &bends {
         let hip = |r: &Report| DVec3::from(arm(r, "leftArm").articulator);
-        assert!(hip(after).distance(hip(before)) < 1e-9, "the hips do not move, so the hand on them does not");
+        assert!(
+            hip(after).distance(hip(before)) < 1e-9,
+            "the hips do not move, so the hand on them does not"
+        );
         assert!(arm(after, "rightArm").residual < 1e-9);
-        assert!((arm(after, "leftArm").elevation.unwrap() - arm(before, "leftArm").elevation.unwrap()).abs() < 1e-7);
+        assert!(
+            (arm(after, "leftArm").elevation.unwrap() - arm(before, "leftArm").elevation.unwrap()).abs()
+                < 1e-7
+        );
     }
     let last = reports.last().unwrap();
     assert!(arm(last, "leftArm").articulator[0] < 0.0, "the left hand is on the right side");
@@ -159,7 +180,8 @@ fn hands_on_the_body_stay_while_the_torso_bends() {
 #[test]
 fn a_hand_planted_on_a_table_stays_flat_while_the_hips_move() {
     let (script, reports) = run("hand-on-table");
-    let planted = script.commands.iter().filter(|c| matches!(c, Command::Keep { contact: Hold::Planted, .. })).count();
+    let planted =
+        script.commands.iter().filter(|c| matches!(c, Command::Keep { contact: Hold::Planted, .. })).count();
     assert_eq!(planted, 3, "both feet and the hand");
     let sways = steps(&script, &reports, |c| matches!(c, Command::MoveHips { .. }));
     for (_, before, after) in &sways {

@@ -4,7 +4,9 @@ use std::sync::OnceLock;
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use rig::{Bone, Contact, Dof, Figure, Limb, LimbState, Pose, Reacher, Space, TextFault, parse_pose, write_pose};
+use rig::{
+    Bone, Contact, Dof, Figure, Limb, LimbState, Pose, Reacher, Space, TextFault, parse_pose, write_pose,
+};
 
 fn figure() -> &'static Figure {
     static FIGURE: OnceLock<Figure> = OnceLock::new();
@@ -80,7 +82,8 @@ fn a_partial_pose_names_only_some_bones() {
 
 #[test]
 fn an_unknown_bone_is_named_with_its_place_and_the_nearest_name() {
-    let fault = fault("(\n    version: 1,\n    joints: {\n        \"leftUperArm\": (flexion: 1.0),\n    },\n)\n");
+    let fault =
+        fault("(\n    version: 1,\n    joints: {\n        \"leftUperArm\": (flexion: 1.0),\n    },\n)\n");
     assert_eq!(fault.line, 4);
     assert!(fault.message.contains("leftUperArm") && fault.message.contains("\"leftUpperArm\""), "{fault}");
 }
@@ -146,8 +149,10 @@ fn contacts_in_a_circle_are_named() {
     let figure = figure();
     let mut pose = figure.rest_pose();
     let on = |bone| Contact::Point { space: Space::Body(bone), target: DVec3::ZERO };
-    pose.limbs[Limb::LeftArm.index()] = LimbState { contact: on(Bone::RightHand), ..LimbState::rest(Limb::LeftArm) };
-    pose.limbs[Limb::RightArm.index()] = LimbState { contact: on(Bone::LeftIndexDistal), ..LimbState::rest(Limb::RightArm) };
+    pose.limbs[Limb::LeftArm.index()] =
+        LimbState { contact: on(Bone::RightHand), ..LimbState::rest(Limb::LeftArm) };
+    pose.limbs[Limb::RightArm.index()] =
+        LimbState { contact: on(Bone::LeftIndexDistal), ..LimbState::rest(Limb::RightArm) };
     let fault = rig::contact_order(&pose).unwrap_err().to_string();
     assert!(fault.contains("leftArm -> rightArm -> leftArm"), "{fault}");
     let patch = parse_pose(&write_pose(figure, &pose)).unwrap();
