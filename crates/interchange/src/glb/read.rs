@@ -269,7 +269,7 @@ impl Reader<'_> {
         binding: &Binding,
         count: usize,
         what: &str,
-    ) -> Result<Vec<(DMat4, [u8; 4], [u16; 4])>, GlbError> {
+    ) -> Result<Vec<Influence>, GlbError> {
         let skin = match binding {
             Binding::Rigid(bone, world) => {
                 let row = (*world, [bone.index() as u8, 0, 0, 0], [u16::MAX, 0, 0, 0]);
@@ -290,15 +290,13 @@ impl Reader<'_> {
     }
 }
 
+/// What holds a vertex at rest, the bones that move it and their weights.
+type Influence = (DMat4, [u8; 4], [u16; 4]);
+
 /// Rows of joints and of weights.
 type Set = (Vec<[f32; 16]>, Vec<[f32; 16]>);
 
-fn influence(
-    sets: &[Set],
-    v: usize,
-    skin: &[(Bone, DMat4)],
-    what: &str,
-) -> Result<(DMat4, [u8; 4], [u16; 4]), GlbError> {
+fn influence(sets: &[Set], v: usize, skin: &[(Bone, DMat4)], what: &str) -> Result<Influence, GlbError> {
     let mut held = DMat4::ZERO;
     let mut shares = [0.0f64; Bone::COUNT];
     let mut total = 0.0;

@@ -41,15 +41,36 @@ pub fn mesh(field: &Field, skeleton: &Skeleton, size: impl Fn(DVec3, f64) -> f64
 
 fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex> {
     let shares = half_shares(half, &Weigher::new(skeleton, lookup.field));
+    let faces = face_normals(half);
     half.points
         .iter()
         .zip(&shares)
-        .map(|(&place, shares)| {
-            let normal = lookup.normal(place);
+        .zip(&faces)
+        .map(|((&place, shares), &face)| {
+            // In a crease the field has no one slope; there the triangles decide.
+            let slope = lookup.normal(place);
+            let normal = if slope.dot(face) > 0.5 { slope } else { face };
             let (joints, weights) = rounded(shares);
             Vertex { place, normal, color: paint::skin(skeleton, lookup, place, normal), joints, weights }
         })
         .collect()
+}
+
+/// The mean normal of the triangles around each vertex, on the middle plane with those of the mirror image.
+fn face_normals(half: &Surface) -> Vec<DVec3> {
+    let mut sums = vec![DVec3::ZERO; half.points.len()];
+    for triangle in &half.triangles {
+        let [a, b, c] = triangle.map(|v| half.points[v as usize]);
+        let face = (b - a).cross(c - a);
+        triangle.iter().for_each(|&v| sums[v as usize] += face);
+    }
+    for (sum, place) in sums.iter_mut().zip(&half.points) {
+        if place.x == 0.0 {
+            sum.x = 0.0;
+        }
+        *sum = sum.normalize_or(DVec3::Y);
+    }
+    sums
 }
 
 /// Adds the left half and its mirror image; vertices on the middle plane serve both.

@@ -64,9 +64,14 @@ pub struct Part {
 }
 
 impl Region {
-    /// Fingers and toes blend with what carries them but never with each other.
-    fn is_digit(self) -> bool {
-        matches!(self, Region::Finger(_) | Region::Toe(_))
+    /// Fingers and toes blend with what carries them, hardly with each other: their group and the web's width there.
+    fn digits(self) -> Option<(usize, f64)> {
+        match self {
+            Region::Finger(0) => Some((0, 0.0)),
+            Region::Finger(_) => Some((1, 0.0015)),
+            Region::Toe(_) => Some((2, 0.004)),
+            _ => None,
+        }
     }
 }
 
@@ -141,20 +146,17 @@ impl Field {
     pub fn value(&self, active: &Active, p: DVec3) -> f64 {
         let p = DVec3::new(p.x.abs(), p.y, p.z);
         let mut body = FAR;
-        let mut digits = FAR;
+        // Thumb, fingers, toes: distance and blend with what carries them.
+        let mut digits = [(FAR, 0.0); 3];
         for (part, blobs) in active {
             let d = self.part_distance(*part, blobs, p);
-            if d >= FAR {
-                continue;
-            }
-            let blend = self.parts[*part].blend;
-            if self.parts[*part].region.is_digit() {
-                digits = digits.min(soft_min(body, d, blend));
-            } else {
-                body = soft_min(body, d, blend);
+            let Part { region, blend, .. } = self.parts[*part];
+            match region.digits() {
+                Some((group, web)) => digits[group] = (soft_min(digits[group].0, d, web), blend),
+                None => body = soft_min(body, d, blend),
             }
         }
-        body.min(digits)
+        digits.iter().fold(body, |all, (d, blend)| all.min(soft_min(body, *d, *blend)))
     }
 
     /// The distance to each part alone, in the order of [`Field::parts`].

@@ -57,8 +57,8 @@ pub fn palm(skeleton: &Skeleton) -> Part {
         f.egg([0.738, 1.3760, 0.0230], [0.0300, 0.0150, 0.0150], [0.80, -0.30, 0.55], [0.0, 1.0, 0.0]),
     );
     palm.add(
-        0.012,
-        f.egg([0.758, 1.3790, 0.0330], [0.0200, 0.0080, 0.0100], [0.80, -0.10, 0.30], [0.0, 1.0, 0.0]),
+        0.020,
+        f.egg([0.756, 1.3790, 0.0315], [0.0210, 0.0080, 0.0100], [0.80, -0.10, 0.30], [0.0, 1.0, 0.0]),
     );
     palm.add(
         0.014,
@@ -77,7 +77,7 @@ pub fn palm(skeleton: &Skeleton) -> Part {
         let radii = DVec3::new(0.0095, 0.0082, 0.0080) * g;
         palm.add(0.008, Shape::Ellipsoid { center: at + up, frame: glam::DMat3::IDENTITY, radii });
         let wrist = skeleton.rest_position(Bone::LeftHand);
-        let start = wrist.lerp(at, 0.45) + DVec3::Y * 0.0125 * g;
+        let start = wrist.lerp(at, 0.45) + DVec3::Y * 0.0120 * g;
         palm.add(
             0.008,
             Shape::Cone { a: start, b: at + DVec3::Y * 0.0055 * g, ra: 0.003 * g, rb: 0.0035 * g },

@@ -21,6 +21,8 @@ mod posing;
 mod preview;
 mod remesh;
 mod shape;
+#[cfg(test)]
+mod tests;
 mod torso;
 mod views;
 mod weights;

@@ -50,7 +50,48 @@ pub fn polygonize(field: &Field) -> (Surface, Lookup<'_>) {
     for crossing in &crossings {
         join(crossing, &cells, &mut surface);
     }
+    untangle(&mut surface);
     (surface, Lookup::new(field, blocks.into_iter().collect()))
+}
+
+/// Where two sheets touch along an edge, so that four triangles share it, gives each sheet an edge of its own by a new
+/// vertex in its middle.
+fn untangle(surface: &mut Surface) {
+    let mut sides: Vec<(u32, u32, usize, bool)> = Vec::with_capacity(surface.triangles.len() * 3);
+    for (t, &[a, b, c]) in surface.triangles.iter().enumerate() {
+        sides.extend([(a, b), (b, c), (c, a)].map(|(p, q)| (p.min(q), p.max(q), t, p < q)));
+    }
+    sides.sort_unstable();
+    for shared in sides.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)).filter(|s| s.len() == 4) {
+        let (a, b) = (shared[0].0, shared[0].1);
+        let apex = |surface: &Surface, t: usize| surface.triangles[t].into_iter().find(|&v| v != a && v != b);
+        let middle = 0.5 * (surface.points[a as usize] + surface.points[b as usize]);
+        let away = |surface: &Surface, t: usize| {
+            apex(surface, t)
+                .map_or(DVec3::ZERO, |v| (surface.points[v as usize] - middle).normalize_or_zero())
+        };
+        let up: Vec<usize> = shared.iter().filter(|s| s.3).map(|s| s.2).collect();
+        let mut down: Vec<usize> = shared.iter().filter(|s| !s.3).map(|s| s.2).collect();
+        if up.len() != 2 || down.len() != 2 {
+            continue;
+        }
+        let first = away(surface, up[0]);
+        if first.dot(away(surface, down[1])) > first.dot(away(surface, down[0])) {
+            down.swap(0, 1);
+        }
+        for (t, u) in up.into_iter().zip(down) {
+            let lean = away(surface, t) + away(surface, u);
+            let new = surface.points.len() as u32;
+            surface.points.push(middle + lean * (0.1 * CELL));
+            for triangle in [t, u] {
+                let whole = surface.triangles[triangle];
+                let with = |old: u32| whole.map(|v| if v == old { new } else { v });
+                let (near, far) = (with(b), with(a));
+                surface.triangles[triangle] = near;
+                surface.triangles.push(far);
+            }
+        }
+    }
 }
 
 /// Blocks that the surface may cross, in a fixed order.

@@ -13,9 +13,12 @@ use super::head::{EYE, EYE_RADIUS, head_fit};
 const CLAY: DVec3 = DVec3::new(0.640, 0.470, 0.365);
 const HOLLOW: DVec3 = DVec3::new(0.400, 0.235, 0.165);
 const LIPS: DVec3 = DVec3::new(0.520, 0.265, 0.215);
+const MOUTH: DVec3 = DVec3::new(0.160, 0.060, 0.048);
 const NAIL: DVec3 = DVec3::new(0.730, 0.540, 0.445);
 const BROW: DVec3 = DVec3::new(0.330, 0.205, 0.145);
 const LASH: DVec3 = DVec3::new(0.150, 0.085, 0.060);
+/// The height where the lips meet, as drawn.
+const SEAM: f64 = 1.5467;
 /// White of the eye, iris and its rim, pupil.
 pub const EYE_WHITE: DVec3 = DVec3::new(0.800, 0.780, 0.740);
 /// The iris.
@@ -27,14 +30,16 @@ pub const PUPIL: DVec3 = DVec3::new(0.006, 0.006, 0.008);
 
 /// The colour of a point of the left half of the skin.
 pub fn skin(skeleton: &Skeleton, field: &Lookup<'_>, p: DVec3, normal: DVec3) -> DVec3 {
-    let shut = closeness(field, p, normal, figure_scale(skeleton));
+    let nail = nails(skeleton, p);
+    let shut = closeness(field, p, normal, figure_scale(skeleton)) * (1.0 - nail);
     let mut color = CLAY.lerp(HOLLOW, 0.75 * shut);
     let head = head_fit(skeleton);
     let drawn = DVec3::from(EYE) + (p - head.point(EYE)) / head.girth();
     color = color.lerp(LIPS, 0.75 * lips(drawn));
     color = color.lerp(BROW, 0.45 * brow(drawn));
     color = color.lerp(LASH, lashes(drawn));
-    color.lerp(NAIL, 0.8 * nails(skeleton, p))
+    color = color.lerp(MOUTH, 0.55 * ease(0.0022, 0.0, (drawn.y - SEAM).abs()) * lips(drawn));
+    color.lerp(NAIL, 0.8 * nail)
 }
 
 /// 0 in the open to 1 in a hollow: how much nearer the skin is along the normal than over open ground.
@@ -52,11 +57,10 @@ fn lips(p: DVec3) -> f64 {
         return 0.0;
     }
     let along = p.x.abs() / 0.0245;
-    let seam = 1.5467;
     let bow = 0.0012 * ease(0.008, 0.003, p.x.abs()) * ease(0.0, 0.003, p.x.abs());
     let fall = (1.0 - along * along).max(0.0);
-    let height = if p.y > seam { 0.0070 * fall + bow } else { 0.0092 * fall };
-    ease(0.0012, -0.0012, (p.y - seam).abs() - height)
+    let height = if p.y > SEAM { 0.0070 * fall + bow } else { 0.0092 * fall };
+    ease(0.0012, -0.0012, (p.y - SEAM).abs() - height) * ease(1.03, 0.94, along)
 }
 
 /// The lids' edges: dark above the eye, faint below.

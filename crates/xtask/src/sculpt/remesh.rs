@@ -1,8 +1,6 @@
 //! From the fine net to the figure's mesh: edges are collapsed to the length wanted there, flipped to even
 //! valences, vertices evened out and put back on the surface. The rim on the middle plane stays on it.
 
-use std::collections::BTreeSet;
-
 use glam::DVec3;
 
 use super::field::Lookup;
@@ -111,13 +109,12 @@ impl<'a> Remesh<'a> {
     }
 
     fn edges(&self) -> Vec<(u32, u32)> {
-        let mut edges = BTreeSet::new();
-        for [a, b, c] in self.triangles.iter().flatten() {
-            for (p, q) in [(a, b), (b, c), (c, a)] {
-                edges.insert((*p.min(q), *p.max(q)));
-            }
-        }
-        edges.into_iter().collect()
+        let corners = self.triangles.iter().flatten();
+        let sides = corners.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+        let mut edges: Vec<(u32, u32)> = sides.map(|(p, q)| (p.min(q), p.max(q))).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges
     }
 
     /// One pass over the edges that are too short, shortest first; a vertex takes part once. Returns how many went.

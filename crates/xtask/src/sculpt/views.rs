@@ -42,7 +42,7 @@ pub fn write(mesh: &Mesh, skeleton: &Skeleton, folder: &Path) -> anyhow::Result<
     fist_only.colors.clone_from(&mesh.colors);
     let hand = at(Bone::LeftHand, 0.076, -0.013, 0.02);
     let face = at(Bone::Head, 0.0, 0.035, 0.02);
-    let sheets: [(&str, &Model, DVec3, f64, Angles<'_>); 12] = [
+    let sheets: [(&str, &Model, DVec3, f64, Angles<'_>); 13] = [
         ("body", &rest, middle, 1.86, AROUND),
         ("face", &rest, face, 0.30, &[(0.0, 0.0), (35.0, 0.0), (90.0, 0.0), (150.0, 10.0)]),
         ("hand", &rest, hand, 0.24, &[(0.0, 89.0), (0.0, -89.0), (0.0, 10.0), (60.0, 30.0)]),
@@ -77,6 +77,13 @@ pub fn write(mesh: &Mesh, skeleton: &Skeleton, folder: &Path) -> anyhow::Result<
             at(Bone::LeftUpperArm, 0.05, -0.2, 0.1),
             0.5,
             &[(0.0, 0.0), (60.0, 10.0), (90.0, 0.0), (150.0, 10.0)],
+        ),
+        (
+            "features",
+            &rest,
+            at(Bone::LeftEye, -0.02, -0.03, 0.02),
+            0.13,
+            &[(0.0, 0.0), (30.0, 0.0), (60.0, 10.0), (0.0, -35.0)],
         ),
         (
             "jaw",

@@ -1,7 +1,7 @@
 //! Which bones move which part of the skin: eased along the bones, told apart by the parts of the field.
 
 use glam::DVec3;
-use rig::{Bone, Skeleton};
+use rig::{Bone, Side, Skeleton};
 
 use super::blend::{ease, mix};
 use super::field::{Field, Region};
@@ -78,11 +78,14 @@ impl<'a> Weigher<'a> {
 
     fn hand(&self, p: DVec3, share: f64, shares: &mut Shares) {
         let (finger, part) = self.finger_share(p);
-        self.along_finger(p, finger, share * part, shares);
         let d = self.field.part_distances(p)[self.thumb] / self.scale;
         let [base, next, _] = FINGERS[0].map(|b| self.at(b));
         let t = (p - base).dot((next - base).normalize_or_zero()) / self.scale;
-        let thumb = ease(0.013, 0.0, d) * ease(-0.010, 0.024, t) * (1.0 - part);
+        let thumb = ease(0.013, 0.0, d) * ease(-0.010, 0.024, t);
+        // In the web between thumb and index finger only the stronger one pulls.
+        let both = part.min(thumb);
+        let (part, thumb) = (part - both, thumb - both);
+        self.along_finger(p, finger, share * part, shares);
         self.along_finger(p, 0, share * thumb, shares);
         shares[Bone::LeftHand.index()] += share * (1.0 - part - thumb);
     }
@@ -99,7 +102,7 @@ impl<'a> Weigher<'a> {
         let beside = 0.45 + 0.55 * ease(0.0, 0.004, to_border);
         let free = ease(0.014, 0.024, d.x);
         // Down the thumb's side nothing follows the index finger.
-        let level = ease(-0.030, -0.020, d.y);
+        let level = ease(-0.026, -0.015, d.y) * ease(0.0155, 0.0095, aside(first) / self.scale);
         (first, ease(-0.011, 0.012, d.x) * mix(beside, 1.0, free) * level)
     }
 
@@ -127,7 +130,7 @@ impl<'a> Weigher<'a> {
         // The border follows the groin: high outside and in front, low between the legs and under the seat.
         let below = -d.y + 0.45 * d.x + 0.22 * d.z;
         let x = p.x / self.scale;
-        let crotch = mix(1.0, ease(-0.010, 0.028, x), ease(-0.138, -0.108, d.y));
+        let crotch = mix(1.0, 0.3 + 0.7 * ease(0.0, 0.036, x), ease(-0.150, -0.108, d.y));
         ease(-0.078, 0.085, below) * crotch
     }
 
@@ -177,7 +180,9 @@ impl<'a> Weigher<'a> {
     fn jaw(&self, p: DVec3) -> f64 {
         let d = self.from(Bone::Jaw, p);
         let border = -0.0353 + 0.30 * (0.098 - d.z).max(0.0);
-        let width = mix(0.0018, 0.016, ease(0.092, 0.040, d.z));
+        // At the corners of the mouth the lips part less than in the middle.
+        let corner = ease(0.009, 0.026, p.x / self.scale);
+        let width = mix(0.0018, 0.016, ease(0.092, 0.040, d.z).max(0.8 * corner));
         ease(border + width, border - width, d.y) * ease(-0.005, 0.045, d.z)
     }
 }
@@ -214,6 +219,8 @@ pub fn half_shares(half: &Surface, weigher: &Weigher<'_>) -> Vec<Shares> {
     for (v, shares) in all.iter_mut().enumerate() {
         if half.points[v].x == 0.0 {
             *shares = balanced(shares);
+        } else {
+            keep_left(shares);
         }
     }
     all
@@ -226,6 +233,15 @@ impl Weigher<'_> {
         let head = self.from(Bone::Head, p).y > 0.0
             || self.from(Bone::Neck, p).z > 0.06 && p.y > self.at(Bone::Neck).y;
         beyond_wrist || head || self.from(Bone::LeftFoot, p).y < 0.0
+    }
+}
+
+/// Takes away what evening out brought over from the other side.
+fn keep_left(shares: &mut Shares) {
+    for bone in Bone::ALL {
+        if bone.side() == Some(Side::Right) {
+            shares[bone.index()] = 0.0;
+        }
     }
 }
 

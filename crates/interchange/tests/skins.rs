@@ -1,0 +1,264 @@
+//! Skins through binary glTF: what is written is read back, what is damaged is an error that says so.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+use interchange::glb::{self, GlbError};
+use interchange::urdf;
+use proptest::prelude::*;
+use rig::{Bone, Mesh, Skeleton};
+use serde_json::{Value, json};
+
+const SKIN: &[u8] = include_bytes!("../../../assets/figures/mannequin.glb");
+const URDF: &str = include_str!("../../../assets/figures/mannequin.urdf");
+
+fn skeleton() -> &'static Skeleton {
+    static SKELETON: OnceLock<Skeleton> = OnceLock::new();
+    SKELETON.get_or_init(|| urdf::read(URDF, &BTreeMap::new()).expect("the shipped skeleton is sound").0)
+}
+
+/// Two triangles on two bones.
+fn small() -> Mesh {
+    Mesh {
+        positions: vec![[0.0, 1.0, 0.1], [0.1, 1.0, 0.1], [0.0, 1.1, 0.1], [0.1, 1.1, 0.1]],
+        normals: vec![[0.0, 0.0, 1.0]; 4],
+        colors: vec![[0.0, 0.2, 1.0], [1.0, 0.0, 0.4], [0.6, 0.8, 0.0], [1.0, 1.0, 1.0]],
+        joints: vec![[Bone::Spine as u8, Bone::Hips as u8, 0, 0]; 4],
+        weights: vec![[40_000, 25_535, 0, 0]; 4],
+        indices: vec![0, 1, 2, 2, 1, 3],
+    }
+}
+
+fn document(bytes: &[u8]) -> (Value, Vec<u8>) {
+    let size = u32::from_le_bytes(bytes[12..16].try_into().expect("four bytes")) as usize;
+    let json = serde_json::from_slice(&bytes[20..20 + size]).expect("JSON");
+    (json, bytes[28 + size..].to_vec())
+}
+
+fn file(json: &Value, data: &[u8]) -> Vec<u8> {
+    let mut text = json.to_string().into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF".to_vec();
+    let total = 28 + text.len() + data.len();
+    bytes.extend([2, total as u32, text.len() as u32, 0x4E4F_534A].iter().flat_map(|w| w.to_le_bytes()));
+    bytes.extend(&text);
+    bytes.extend([data.len() as u32, 0x004E_4942].iter().flat_map(|w| w.to_le_bytes()));
+    bytes.extend(data);
+    bytes
+}
+
+/// The small skin with its document changed.
+fn changed(change: impl FnOnce(&mut Value)) -> Result<Mesh, GlbError> {
+    let (mut json, data) = document(&glb::write(&small(), skeleton(), "small"));
+    change(&mut json);
+    glb::read(&file(&json, &data), skeleton())
+}
+
+/// The number of an attribute's accessor in the small skin.
+fn accessor(json: &Value, attribute: &str) -> usize {
+    json["meshes"][0]["primitives"][0]["attributes"][attribute].as_u64().expect("an accessor") as usize
+}
+
+#[test]
+fn the_shipped_skin_survives_reading_and_writing() {
+    let mesh = glb::read(SKIN, skeleton()).unwrap();
+    assert_eq!(mesh.fault(), None);
+    assert!(mesh.vertex_count() > 10_000);
+    let again = glb::write(&mesh, skeleton(), "mannequin");
+    assert_eq!(glb::read(&again, skeleton()).unwrap(), mesh);
+}
+
+#[test]
+fn a_small_skin_comes_back_as_it_was() {
+    let read = glb::read(&glb::write(&small(), skeleton(), "small"), skeleton()).unwrap();
+    assert_eq!(read.positions, small().positions);
+    assert_eq!(read.normals, small().normals);
+    assert_eq!((read.joints, read.weights, read.indices), (small().joints, small().weights, small().indices));
+    for (a, b) in read.colors.iter().flatten().zip(small().colors.iter().flatten()) {
+        assert!((a - b).abs() < 1e-5, "{a} for {b}");
+    }
+}
+
+#[test]
+fn the_file_names_every_bone_at_its_place() {
+    let (json, _) = document(&glb::write(&small(), skeleton(), "small"));
+    assert_eq!(json["asset"]["generator"], "Posewright");
+    let names: Vec<&str> =
+        json["nodes"].as_array().unwrap().iter().filter_map(|n| n["name"].as_str()).collect();
+    assert!(Bone::ALL.iter().all(|b| names.contains(&b.name())));
+    assert_eq!(json["skins"][0]["joints"].as_array().unwrap().len(), Bone::COUNT);
+    let places = &json["accessors"][accessor(&json, "POSITION")];
+    assert_eq!(places["min"][1], 1.0);
+    assert!((places["max"][1].as_f64().unwrap() - 1.1).abs() < 1e-6);
+}
+
+#[test]
+fn a_mesh_without_triangles_is_written_and_is_an_error_to_read() {
+    let bytes = glb::write(&Mesh::default(), skeleton(), "none");
+    assert_eq!(glb::read(&bytes, skeleton()), Err(GlbError::Empty));
+}
+
+#[test]
+fn missing_normals_are_made() {
+    let mesh = changed(|json| {
+        json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap().remove("NORMAL");
+    });
+    assert_eq!(mesh.unwrap().normals, vec![[0.0, 0.0, 1.0]; 4]);
+}
+
+#[test]
+fn a_mesh_without_skin_moves_with_the_bone_above_it() {
+    let mesh = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        let head = nodes.iter().position(|n| n["name"] == "head").unwrap();
+        nodes[0].as_object_mut().unwrap().remove("skin");
+        nodes[0]["translation"] = json!([0.0, -1.0, 0.5]);
+        nodes[head]["children"].as_array_mut().unwrap().push(json!(0));
+        json["scenes"][0]["nodes"] = json!([1]);
+    })
+    .unwrap();
+    assert_eq!(mesh.joints[0][0], Bone::Head as u8);
+    assert_eq!(mesh.weights[0], [65535, 0, 0, 0]);
+    let head = skeleton().rest_position(Bone::Head);
+    let expected = [0.0, head.y as f32, 0.6 + head.z as f32];
+    for (found, wanted) in mesh.positions[0].iter().zip(expected) {
+        assert!((found - wanted).abs() < 1e-6, "{found} for {wanted}");
+    }
+}
+
+#[test]
+fn primitives_are_merged() {
+    let mesh = changed(|json| {
+        let primitives = json["meshes"][0]["primitives"].as_array_mut().unwrap();
+        primitives.push(primitives[0].clone());
+    });
+    let mesh = mesh.unwrap();
+    assert_eq!(mesh.vertex_count(), 8);
+    assert_eq!(mesh.indices[6..], [4, 5, 6, 6, 5, 7]);
+}
+
+#[test]
+fn a_joint_elsewhere_is_named() {
+    let error = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        let spine = nodes.iter().position(|n| n["name"] == "spine").unwrap();
+        nodes[spine]["translation"][0] = json!(0.002);
+    });
+    assert!(matches!(error, Err(GlbError::Rest { bone: Bone::Spine, .. })), "{error:?}");
+    let tolerated = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        let toes = nodes.iter().position(|n| n["name"] == "leftToes").unwrap();
+        let z = nodes[toes]["translation"][2].as_f64().unwrap();
+        nodes[toes]["translation"][2] = json!(z + 0.0005);
+    });
+    assert!(tolerated.is_ok(), "{tolerated:?}");
+}
+
+#[test]
+fn a_joint_that_is_no_bone_is_named() {
+    let error = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        nodes[1]["name"] = json!("hipz");
+    });
+    let Err(GlbError::UnknownJoint { name, nearest }) = error else { panic!("{error:?}") };
+    assert_eq!((name.as_str(), nearest.as_str()), ("hipz", "hips"));
+}
+
+#[test]
+fn damaged_containers() {
+    let whole = glb::write(&small(), skeleton(), "small");
+    let mut version = whole.clone();
+    version[4] = 1;
+    let mut length = whole.clone();
+    length[8..12].copy_from_slice(&u32::MAX.to_le_bytes());
+    let mut short = whole.clone();
+    short[8..12].copy_from_slice(&4u32.to_le_bytes());
+    let mut chunk = whole.clone();
+    chunk[12..16].copy_from_slice(&(u32::MAX - 3).to_le_bytes());
+    let cases: [&[u8]; 9] =
+        [b"", b"glTF", b"not a model at all", &whole[..17], &whole[..40], &version, &length, &short, &chunk];
+    for bytes in cases {
+        let error = glb::read(bytes, skeleton());
+        assert!(matches!(error, Err(GlbError::Container(_))), "{error:?} for {} bytes", bytes.len());
+    }
+    // A second header where the document should be.
+    let mut nested = whole.clone();
+    nested[20..32].copy_from_slice(&[b"glTF".as_slice(), &[2, 0, 0, 0, 4, 0, 0, 0]].concat());
+    assert!(matches!(glb::read(&nested, skeleton()), Err(GlbError::Document(_))));
+}
+
+#[test]
+fn damaged_documents() {
+    type Damage = fn(&mut Value);
+    let outside: [Damage; 5] = [
+        |j| j["bufferViews"][0]["byteOffset"] = json!(1_000_000),
+        |j| j["bufferViews"][0]["byteLength"] = json!(u32::MAX),
+        |j| j["accessors"][0]["count"] = json!(1_000_000),
+        |j| j["accessors"][0]["byteOffset"] = json!(u64::MAX),
+        |j| j["accessors"][0]["bufferView"] = json!(1),
+    ];
+    for (i, damage) in outside.into_iter().enumerate() {
+        let error = changed(damage);
+        let found = matches!(
+            error,
+            Err(GlbError::OutOfRange { .. } | GlbError::Document(_) | GlbError::Unexpected { .. })
+        );
+        assert!(found || i == 4, "case {i}: {error:?}");
+    }
+    let error = changed(|j| j["accessors"][0]["count"] = json!(4_000_000_000u32));
+    assert!(matches!(error, Err(GlbError::TooLarge { .. })), "{error:?}");
+    let error = changed(|j| j["buffers"][0]["uri"] = json!("other.bin"));
+    assert!(matches!(error, Err(GlbError::External { .. })), "{error:?}");
+    let error = changed(|j| j["nodes"][3]["children"] = json!([2]));
+    assert!(matches!(error, Err(GlbError::Cycle { .. })), "{error:?}");
+    let error = changed(|j| j["skins"][0]["joints"] = json!([1]));
+    assert!(matches!(error, Err(GlbError::Unexpected { .. })), "{error:?}");
+    let error = changed(|j| j["nodes"][1]["translation"] = json!([0.0, 1e39, 0.0]));
+    assert!(matches!(error, Err(GlbError::NotFinite { .. } | GlbError::Rest { .. })), "{error:?}");
+}
+
+#[test]
+fn numbers_that_are_not_finite() {
+    let (json, mut data) = document(&glb::write(&small(), skeleton(), "small"));
+    let view = &json["bufferViews"][accessor(&json, "POSITION")];
+    let at = view["byteOffset"].as_u64().unwrap() as usize;
+    data[at..at + 4].copy_from_slice(&f32::NAN.to_le_bytes());
+    let error = glb::read(&file(&json, &data), skeleton());
+    assert!(matches!(error, Err(GlbError::NotFinite { .. })), "{error:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Bytes of the shipped skin changed, most of them in its document: an error or a sound mesh, never a panic.
+    #[test]
+    fn mutated_files_do_no_harm(
+        changes in prop::collection::vec((0usize..24_000, any::<u8>()), 1..12),
+        cut in prop::option::weighted(0.2, 0usize..1_200_000),
+    ) {
+        let mut bytes = SKIN.to_vec();
+        for (at, value) in changes {
+            bytes[at] = value;
+        }
+        if let Some(cut) = cut {
+            bytes.truncate(cut);
+        }
+        if let Ok(mesh) = glb::read(&bytes, skeleton()) {
+            prop_assert_eq!(mesh.fault(), None);
+        }
+    }
+
+    /// Digits of the small skin's document changed, so that it still parses.
+    #[test]
+    fn other_numbers_do_no_harm(changes in prop::collection::vec((any::<prop::sample::Index>(), 0u8..10), 1..6)) {
+        let mut bytes = glb::write(&small(), skeleton(), "small");
+        let end = 20 + u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+        let digits: Vec<usize> = (20..end).filter(|&i| bytes[i].is_ascii_digit()).collect();
+        for (index, digit) in changes {
+            bytes[*index.get(&digits)] = b'0' + digit;
+        }
+        if let Ok(mesh) = glb::read(&bytes, skeleton()) {
+            prop_assert_eq!(mesh.fault(), None);
+        }
+    }
+}
