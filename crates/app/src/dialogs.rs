@@ -235,6 +235,7 @@ const HELP: [(&str, &[(&str, &str)]); 4] = [
         &[
             ("Drag a rail", "turn; Shift turns a tenth as far"),
             ("Double-click a rail", "back to 0"),
+            ("Arrow keys", "one degree, on the rail last touched; with Shift a tenth"),
             ("Click a number", "type it; dragging it works as well"),
             ("Click a joint's name", "choose it"),
             ("Esc while dragging", "as if the drag had never been"),

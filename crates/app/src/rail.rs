@@ -61,6 +61,10 @@ impl Rail<'_> {
     }
 
     fn change(&self, ui: &mut Ui, response: &Response) -> Option<Change> {
+        if response.clicked() || response.drag_started() {
+            // The arrow keys go on where the hand left off.
+            response.request_focus();
+        }
         if response.double_clicked() {
             return Some(Change::Set(self.rest));
         }
@@ -69,7 +73,7 @@ impl Rail<'_> {
         }
         let steps = steps(ui, response);
         if steps != 0.0 {
-            return Some(Change::Set(self.value + steps));
+            return Some(Change::Set(((self.value + steps) * 10.0).round() / 10.0));
         }
         // The goal, not the value: what a range holds back is still owed when the pointer comes back.
         let goal_id = response.id.with("goal");
@@ -176,7 +180,8 @@ fn steps(ui: &Ui, response: &Response) -> f64 {
         let keep = egui::EventFilter { horizontal_arrows: true, ..egui::EventFilter::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keep));
         let pressed = |key| ui.input(|input| input.num_presses(key)) as f64;
-        steps += pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
+        let step = if ui.input(|input| input.modifiers.shift) { 0.1 } else { 1.0 };
+        steps += (pressed(Key::ArrowRight) - pressed(Key::ArrowLeft)) * step;
     }
     steps
 }

@@ -252,7 +252,7 @@ impl Viewport {
 
 /// Keys that change the view: number row and pad, Home, F.
 pub fn keys(ui: &Ui, viewport: &mut Viewport, editor: &Editor, selected: Option<Bone>) {
-    if ui.ctx().egui_wants_keyboard_input() {
+    if ui.ctx().text_edit_focused() {
         return;
     }
     let views = [

@@ -1,5 +1,7 @@
 //! The command line as a shell sees it: outputs, exit codes, what is said of bad input.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -444,6 +444,41 @@ fn dragging_empty_space_turns_the_view_and_not_the_figure() {
 }
 
 #[test]
+fn the_wheel_comes_nearer_to_what_is_under_the_pointer() {
+    let mut hand = at(LEFT_ARM);
+    let before = hand.state().viewport.camera.distance;
+    let chest = hand.state().viewport.camera.target;
+    let place = hand.state().viewport.window_of(chest.as_dvec3()).unwrap();
+    hand.hover_at(place);
+    hand.step();
+    hand.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: vec2(0.0, 4.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    hand.run_steps(20);
+    let after = hand.state().viewport.camera.distance;
+    assert!(after < before * 0.9, "{before} {after}");
+    let moved = hand.state().viewport.window_of(chest.as_dvec3()).unwrap() - place;
+    assert!(moved.length() < 0.5, "{moved}");
+}
+
+#[test]
+fn arrow_keys_go_on_where_the_hand_left_off() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 50.0);
+    hand.get_by_role_and_label(Role::Slider, ELBOW).click();
+    hand.run();
+    hand.key_press(Key::ArrowRight);
+    hand.run();
+    hand.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    hand.run();
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 50.9);
+}
+
+#[test]
 fn a_click_on_a_joint_chooses_it_and_opens_its_section() {
     let mut hand = at(Section::Figure);
     let knee = hand.state().editor().evaluation().frames[Bone::RightLowerLeg].position;
@@ -616,4 +651,26 @@ fn the_picture_follows_the_pose_and_comes_back_with_it() {
         first.enumerate_pixels().any(|(x, y, pixel)| inside(x, y) && pixel != again.get_pixel(x, y))
     };
     assert!(!differ(place), "undo brings the same picture back");
+}
+
+#[test]
+fn a_software_adapter_draws_movement_lean_and_rest_in_full() {
+    let mut session = bent();
+    session.software = true;
+    let mut hand = drawn(session, true);
+    let empty = hand.state().viewport.rect().min + vec2(60.0, 60.0);
+    hand.hover_at(empty);
+    hand.step();
+    hand.drag_at(empty);
+    hand.step();
+    hand.hover_at(empty + vec2(30.0, 0.0));
+    hand.step();
+    let moving = hand.render().unwrap();
+    hand.drop_at(empty + vec2(30.0, 0.0));
+    hand.run();
+    let still = hand.render().unwrap();
+    assert_ne!(moving, still, "the view is the same, the quality is not");
+    hand.state_mut().software = false;
+    hand.run();
+    assert_eq!(hand.render().unwrap(), still);
 }

@@ -30,7 +30,10 @@ impl Sheet<'_> {
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
             ui.horizontal_wrapped(|ui| {
-                for name in editor.figure().handshapes.keys() {
+                // Words, then the letters of fingerspelling.
+                let mut names: Vec<&String> = editor.figure().handshapes.keys().collect();
+                names.sort_by_key(|name| name.chars().count() == 1);
+                for name in names {
                     let button = egui::Button::new(egui::RichText::new(labels::articulator(name)).size(12.0));
                     let called = format!("{} handshape · {name}", labels::side(side));
                     if ui.add(button).accessible_name(called).clicked() {

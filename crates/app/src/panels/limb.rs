@@ -11,7 +11,7 @@ use crate::rail::Rail;
 use crate::{labels, theme};
 
 /// What people hold on to. Any other bone that a file names is shown as well.
-const SPACES: [Bone; 8] = [
+const SPACES: [Bone; 9] = [
     Bone::Head,
     Bone::UpperChest,
     Bone::Hips,
@@ -20,6 +20,7 @@ const SPACES: [Bone; 8] = [
     Bone::LeftUpperLeg,
     Bone::RightUpperLeg,
     Bone::LeftUpperArm,
+    Bone::RightUpperArm,
 ];
 
 /// A miss smaller than this is none, metres.

@@ -31,8 +31,24 @@ pub fn event_loop<T: 'static>() -> Result<EventLoop<T>, Failure> {
     }
 }
 
-/// A library that can't be loaded is an error of some backends and a panic of others.
+/// A library that can't be loaded is an error of some backends and a panic of others. The error begins with a place in
+/// winit's source, which tells nothing.
 fn of_error(message: &str) -> String {
-    let about_library = ["library", "Library", ".so"].iter().any(|word| message.contains(word));
+    let reason = message.split_once(": ").map_or(message, |(_, reason)| reason).to_lowercase();
+    let about_library = reason.contains("librar") || reason.contains("failed to load");
     if about_library { NO_LIBRARIES } else { NO_DISPLAY }.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_library_is_told_from_a_missing_display() {
+        let place = "os error at /Users/me/Library/winit/src/linux/mod.rs:788";
+        let library = format!("{place}: Failed to load one of xlib's shared libraries");
+        assert_eq!(of_error(&library), NO_LIBRARIES);
+        let display = format!("{place}: neither WAYLAND_DISPLAY nor WAYLAND_SOCKET nor DISPLAY is set.");
+        assert_eq!(of_error(&display), NO_DISPLAY);
+    }
 }

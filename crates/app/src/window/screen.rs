@@ -99,5 +99,8 @@ impl Screen {
 }
 
 fn no_surface(error: &dyn std::fmt::Display) -> Failure {
-    Failure::NoScreen(format!("the window can't be drawn to ({error}): try another WGPU_BACKEND, such as gl"))
+    Failure::NoScreen(format!(
+        "no graphics adapter draws to the window ({error}): install a Vulkan driver \
+         (on Debian or Ubuntu: apt install mesa-vulkan-drivers)"
+    ))
 }
