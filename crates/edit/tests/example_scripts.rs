@@ -1,5 +1,7 @@
 //! The shipped scripts: each shows a gesture sequence, and each is held to what it shows.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;

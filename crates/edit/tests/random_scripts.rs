@@ -1,5 +1,7 @@
 //! Random scripts of a thousand mixed commands: each moves what the gesture table says and keeps what it says.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 #[path = "../../kin/tests/seeded/mod.rs"]
 mod seeded;
 
@@ -207,10 +209,10 @@ fn out_of_range(figure: &Figure, pose: &Pose) -> Option<String> {
                 return Some(format!("{} {dof:?} {} is {excess} rad outside", joint.bone, angles.get(dof)));
             }
         }
-        if let (Some(cone), Some(bone)) = (cone, joint.bone_direction()) {
-            if !cone.contains(joint.rotation(angles) * bone, 1e-9) {
-                return Some(format!("{} points outside its cone: {angles:?}", joint.bone));
-            }
+        if let (Some(cone), Some(bone)) = (cone, joint.bone_direction())
+            && !cone.contains(joint.rotation(angles) * bone, 1e-9)
+        {
+            return Some(format!("{} points outside its cone: {angles:?}", joint.bone));
         }
     }
     None
@@ -227,10 +229,10 @@ fn check(
     if is.frames.0.iter().any(|f| !f.position.is_finite() || !f.rotation.is_finite()) {
         return Err("a frame is not finite".to_owned());
     }
-    if let Some(allowed) = may_move(command, before) {
-        if let Some(bone) = moved(before, after).into_iter().find(|b| !allowed.contains(b)) {
-            return Err(format!("{bone} moved: {:?} -> {:?}", before.angles(bone), after.angles(bone)));
-        }
+    if let Some(allowed) = may_move(command, before)
+        && let Some(bone) = moved(before, after).into_iter().find(|b| !allowed.contains(b))
+    {
+        return Err(format!("{bone} moved: {:?} -> {:?}", before.angles(bone), after.angles(bone)));
     }
     if let Some(fault) = out_of_range(figure, after) {
         return Err(fault);
@@ -276,17 +278,15 @@ fn check(
             let planted = matches!(before.limb(*limb).contact, Contact::Planted { .. });
             if let (Command::TurnInContact { .. }, Some(e), Some(f), false) =
                 (command, w.elevation, i.elevation, planted)
+                && bent(*limb)
+                && w.residual < 1e-9
+                && ((e - f + 180.0).rem_euclid(360.0) - 180.0).abs() > 1e-5
             {
-                if bent(*limb)
-                    && w.residual < 1e-9
-                    && ((e - f + 180.0).rem_euclid(360.0) - 180.0).abs() > 1e-5
-                {
-                    return Err(format!("{} elevation {e} -> {f}", limb.name()));
-                }
+                return Err(format!("{} elevation {e} -> {f}", limb.name()));
             }
             Ok(())
         }
-        Command::Articulate { .. } | Command::Keep { .. } if moved(before, after) != [] => {
+        Command::Articulate { .. } | Command::Keep { .. } if !moved(before, after).is_empty() => {
             Err("moved".to_owned())
         }
         _ => Ok(()),

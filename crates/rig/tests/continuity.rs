@@ -1,5 +1,7 @@
 //! The mannequin's arms follow a target in millimetre steps and turn no joint fast.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use glam::{DQuat, DVec3};
 use rig::{Dof, Figure, Limb, Pose, Space, Target, articulator_in, frames, reach};
 

@@ -1,5 +1,7 @@
 //! Pose files: the same bits after a round trip, and damage answered with its place.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::sync::OnceLock;
 
 use glam::{DQuat, DVec3};
