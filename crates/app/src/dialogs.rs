@@ -1,11 +1,14 @@
 //! What is asked in the middle of the window: a path, what to do with unsaved changes, and the help.
 
+mod listing;
+
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use egui::{Context, Id, Key, Modal, RichText, TextEdit, Ui};
 
 use crate::theme;
+use listing::{Listing, Pick};
 
 /// What is to be done once unsaved changes are dealt with.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -40,8 +43,6 @@ pub enum Answer {
     SaveFirst(Intent),
     /// Unsaved changes are given up for this.
     Discard(Intent),
-    /// The desktop's file chooser gave nothing: it was cancelled, or there is none.
-    NoChooser,
 }
 
 /// The dialog that is up, if any, and the desktop's file chooser at work.
@@ -50,7 +51,10 @@ pub struct Dialogs {
     now: Option<Dialog>,
     path: String,
     fresh: bool,
+    listing: Listing,
     chooser: Option<Receiver<Option<PathBuf>>>,
+    /// Whether the desktop's chooser gave nothing: it was cancelled, or there is none.
+    unchosen: bool,
 }
 
 const SUFFIX: &str = ".pose.ron";
@@ -65,6 +69,8 @@ impl Dialogs {
     pub fn ask(&mut self, dialog: Dialog) {
         self.now = Some(dialog);
         self.fresh = true;
+        self.unchosen = false;
+        self.listing.forget();
     }
 
     /// Asks which file to open, beginning in the folder of the present one.
@@ -94,10 +100,8 @@ impl Dialogs {
                 Dialog::Help => close = help(ui),
             }
         });
-        self.fresh = false;
         answer = answer.or_else(|| self.chosen(&dialog));
-        let done = answer.as_ref().is_some_and(|answer| *answer != Answer::NoChooser);
-        if done || close || modal.should_close() {
+        if answer.is_some() || close || modal.should_close() {
             self.now = None;
             self.chooser = None;
         }
@@ -114,11 +118,17 @@ impl Dialogs {
         let field =
             TextEdit::singleline(&mut self.path).desired_width(f32::INFINITY).hint_text("pose.pose.ron");
         let response = ui.add(field).accessible_name("File path");
-        if self.fresh {
+        if std::mem::take(&mut self.fresh) {
             response.request_focus();
             select_name(ui, response.id, &self.path);
         }
-        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        let mut entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        if self.unchosen {
+            ui.label(RichText::new("The desktop offered no file: type its path.").color(theme::WARNING));
+        }
+        if *dialog == Dialog::OpenPath {
+            entered |= self.list(ui);
+        }
         ui.add_space(8.0);
         let mut clicked = [false; 3];
         ui.horizontal(|ui| {
@@ -139,20 +149,38 @@ impl Dialogs {
         (answer, clicked[1])
     }
 
+    /// Lists the folder's poses; whether one was taken.
+    fn list(&mut self, ui: &mut Ui) -> bool {
+        self.listing.follow(&self.path);
+        match self.listing.show(ui) {
+            Some(Pick::Chosen(name)) => {
+                self.path = self.listing.path(&name);
+                false
+            }
+            Some(Pick::Taken(name)) => {
+                self.path = self.listing.path(&name);
+                true
+            }
+            None => false,
+        }
+    }
+
     fn answer(&self, dialog: &Dialog) -> Option<Answer> {
         let words = self.path.trim();
-        (!words.is_empty()).then(|| answer_of(dialog, PathBuf::from(words)))
+        (!words.is_empty()).then(|| answer_of(dialog, from_home(words)))
     }
 
     /// What the desktop's chooser came to, if it is done.
     fn chosen(&mut self, dialog: &Dialog) -> Option<Answer> {
-        let answer = match self.chooser.as_ref()?.try_recv() {
+        let chosen = match self.chooser.as_ref()?.try_recv() {
             Err(TryRecvError::Empty) => return None,
-            Ok(Some(path)) => answer_of(dialog, path),
-            Ok(None) | Err(TryRecvError::Disconnected) => Answer::NoChooser,
+            Ok(chosen) => chosen,
+            Err(TryRecvError::Disconnected) => None,
         };
         self.chooser = None;
-        Some(answer)
+        self.unchosen = chosen.is_none();
+        self.fresh = self.unchosen;
+        chosen.map(|path| answer_of(dialog, path))
     }
 }
 
@@ -160,6 +188,15 @@ fn answer_of(dialog: &Dialog, path: PathBuf) -> Answer {
     match dialog {
         Dialog::SavePath(then) => Answer::Save(with_suffix(path), then.clone()),
         _ => Answer::Open(path),
+    }
+}
+
+/// A path that begins with `~/` begins at home.
+fn from_home(path: &str) -> PathBuf {
+    let home = directories::BaseDirs::new().map(|dirs| dirs.home_dir().to_owned());
+    match (path.strip_prefix("~/"), home) {
+        (Some(rest), Some(home)) => home.join(rest),
+        _ => PathBuf::from(path),
     }
 }
 

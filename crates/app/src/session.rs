@@ -305,10 +305,6 @@ impl Session {
             Some(Answer::Save(path, then)) => self.save_then(&path, then),
             Some(Answer::SaveFirst(intent)) => self.save_or_ask(Some(intent)),
             Some(Answer::Discard(intent)) => self.proceed(intent),
-            Some(Answer::NoChooser) => {
-                let message = "The desktop offered no file: type its path, or cancel".to_owned();
-                self.status = Status { message, ..Status::default() };
-            }
             None => {}
         }
     }

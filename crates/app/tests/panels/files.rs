@@ -1,0 +1,75 @@
+//! Opening, saving, closing, and what is asked on the way.
+
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use crate::hand::{ELBOW, LEFT_ARM, at, click, pose, set};
+
+#[test]
+fn a_pose_is_saved_and_opened_by_path_and_changes_are_asked_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bent.pose.ron");
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 42.0);
+    assert!(hand.state().title().starts_with("• Unnamed pose"));
+    hand.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    hand.run();
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    hand.event(egui::Event::Text(path.display().to_string()));
+    hand.run();
+    hand.key_press(Key::Enter);
+    hand.run();
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("leftLowerArm") && text.contains("42"), "{text}");
+    assert_eq!(hand.state().title(), "bent.pose.ron – Posewright");
+    let saved = pose(&hand);
+    set(&mut hand, ELBOW, 90.0);
+    assert!(hand.state().is_modified());
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    hand.run();
+    click(&mut hand, "Don't save");
+    click(&mut hand, "bent.pose.ron");
+    click(&mut hand, "Open");
+    assert_eq!(pose(&hand), saved, "{:?}", hand.state().status());
+    assert!(!hand.state().is_modified());
+}
+
+#[test]
+fn a_file_that_is_no_pose_changes_nothing_and_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bad.pose.ron");
+    std::fs::write(&path, "(version: 1, joints: {\"leftKnee\": ()})").unwrap();
+    let mut hand = at(LEFT_ARM);
+    let before = pose(&hand);
+    hand.state_mut().open_asking(path);
+    hand.run();
+    let status = hand.state().status();
+    assert!(status.fault && status.message.contains("bad.pose.ron:1:"), "{status:?}");
+    assert_eq!(pose(&hand), before);
+}
+
+#[test]
+fn closing_asks_about_unsaved_changes() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 42.0);
+    hand.state_mut().quit_asking();
+    hand.run();
+    assert!(!hand.state().has_quit());
+    click(&mut hand, "Cancel");
+    assert!(!hand.state().has_quit());
+    hand.state_mut().quit_asking();
+    hand.run();
+    click(&mut hand, "Don't save");
+    assert!(hand.state().has_quit());
+}
+
+#[test]
+fn help_opens_and_closes() {
+    let mut hand = at(LEFT_ARM);
+    hand.key_press(Key::F1);
+    hand.run();
+    hand.get_by_label("Gestures and shortcuts");
+    hand.key_press(Key::Escape);
+    hand.run();
+    assert!(hand.query_by_label("Gestures and shortcuts").is_none());
+}

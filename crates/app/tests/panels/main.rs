@@ -1,0 +1,9 @@
+//! The window's controls, found by their labels and driven as a hand would, without a display.
+#![allow(clippy::unwrap_used)]
+
+mod files;
+mod hand;
+mod looks;
+mod parts;
+mod picture;
+mod sliders;
