@@ -36,7 +36,9 @@ pub enum GlbError {
     Cycle { node: String },
     #[error("there is no triangle in this file, expected a skinned mesh")]
     Empty,
-    #[error("joint \"{name}\" is no bone of the figure and hangs on none, expected VRM names such as \"{nearest}\"")]
+    #[error(
+        "joint \"{name}\" is no bone of the figure and hangs on none, expected VRM names such as \"{nearest}\""
+    )]
     UnknownJoint { name: String, nearest: String },
     #[error(
         "joint \"{bone}\" rests at ({}, {}, {}) m in the skin, expected ({}, {}, {}) m as in the skeleton",

@@ -162,6 +162,15 @@ fn a_joint_that_is_no_bone_is_named() {
     });
     let Err(GlbError::UnknownJoint { name, nearest }) = error else { panic!("{error:?}") };
     assert_eq!((name.as_str(), nearest.as_str()), ("hipz", "hips"));
+    // One that is listed above the hips and pulls at nothing does no harm.
+    let rooted = changed(|json| {
+        let nodes = json["nodes"].as_array_mut().unwrap();
+        nodes.push(json!({"name": "root", "children": [1]}));
+        let root = nodes.len() - 1;
+        json["scenes"][0]["nodes"] = json!([0, root]);
+        json["skins"][0]["joints"][Bone::Jaw.index()] = json!(root);
+    });
+    assert_eq!(rooted.unwrap().joints, small().joints);
 }
 
 #[test]

@@ -102,9 +102,12 @@ impl Tree {
     }
 }
 
+/// A joint of a skin: its bone, or its name if it is and hangs on none, and where it holds vertices at rest.
+type Held = (Result<Bone, String>, DMat4);
+
 /// What moves the vertices of a node's mesh, and where it holds them at rest.
 enum Binding {
-    Skin(Vec<(Bone, DMat4)>),
+    Skin(Vec<Held>),
     Rigid(Bone, DMat4),
 }
 
@@ -126,10 +129,7 @@ impl Reader<'_> {
         let mut joints = Vec::new();
         for (i, joint) in skin.joints().enumerate() {
             let name = &self.tree.names[joint.index()];
-            let Some(bone) = self.tree.bone(joint.index(), self.skeleton) else {
-                let near = nearest(name, Bone::ALL.iter().map(|b| b.name())).to_owned();
-                return Err(GlbError::UnknownJoint { name: name.clone(), nearest: near });
-            };
+            let bone = self.tree.bone(joint.index(), self.skeleton).ok_or_else(|| name.clone());
             let world = self.tree.world[joint.index()];
             self.check_rest(name, world)?;
             let bind = match &binds {
@@ -296,7 +296,7 @@ type Influence = (DMat4, [u8; 4], [u16; 4]);
 /// Rows of joints and of weights.
 type Set = (Vec<[f32; 16]>, Vec<[f32; 16]>);
 
-fn influence(sets: &[Set], v: usize, skin: &[(Bone, DMat4)], what: &str) -> Result<Influence, GlbError> {
+fn influence(sets: &[Set], v: usize, skin: &[Held], what: &str) -> Result<Influence, GlbError> {
     let mut held = DMat4::ZERO;
     let mut shares = [0.0f64; Bone::COUNT];
     let mut total = 0.0;
@@ -313,6 +313,8 @@ fn influence(sets: &[Set], v: usize, skin: &[(Bone, DMat4)], what: &str) -> Resu
                     expected: "less than the skin's number of joints",
                 });
             };
+            // A joint above the hips may be listed; only one that pulls must be known.
+            let bone = bone.as_ref().map_err(|name| unknown(name))?;
             held += *matrix * weight;
             shares[bone.index()] += weight;
             total += weight;
@@ -320,11 +322,18 @@ fn influence(sets: &[Set], v: usize, skin: &[(Bone, DMat4)], what: &str) -> Resu
     }
     if total <= 0.0 {
         // A vertex without weights stays where it is, with the first joint.
-        let (bone, matrix) = skin.first().copied().unwrap_or((Bone::Hips, DMat4::IDENTITY));
+        let first =
+            skin.first().map(|(bone, matrix)| (bone.as_ref().copied().unwrap_or(Bone::Hips), *matrix));
+        let (bone, matrix) = first.unwrap_or((Bone::Hips, DMat4::IDENTITY));
         return Ok((matrix, [bone.index() as u8, 0, 0, 0], [u16::MAX, 0, 0, 0]));
     }
     let (joints, weights) = rounded(&shares);
     Ok((held * (1.0 / total), joints, weights))
+}
+
+fn unknown(name: &str) -> GlbError {
+    let near = nearest(name, Bone::ALL.iter().map(|b| b.name()));
+    GlbError::UnknownJoint { name: name.to_owned(), nearest: near.to_owned() }
 }
 
 /// The four largest shares as fractions of 65,535 that sum to it; equal shares in the order of the bones.

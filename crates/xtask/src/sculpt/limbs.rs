@@ -47,7 +47,7 @@ pub fn arm(skeleton: &Skeleton) -> Part {
     arm.add(0.03, f.egg([0.190, 1.386, -0.028], [0.060, 0.036, 0.028], [1.0, -0.10, 0.25], [0.0, 1.0, 0.0]));
     // The breast muscle and the back muscle run into the arm, in front of and behind the pit.
     arm.add(0.04, f.cone([0.090, 1.318, 0.046], 0.030, [0.215, 1.376, 0.024], 0.018));
-    arm.add(0.04, f.cone([0.100, 1.310, -0.050], 0.028, [0.210, 1.374, -0.026], 0.018));
+    arm.add(0.04, f.cone([0.104, 1.322, -0.044], 0.024, [0.210, 1.374, -0.026], 0.018));
     // Biceps, triceps, the forearm's two muscle groups, elbow tip, wrist bone.
     arm.add(0.02, f.egg([0.330, 1.390, 0.022], [0.075, 0.026, 0.023], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
     arm.add(0.02, f.egg([0.310, 1.386, -0.022], [0.085, 0.030, 0.024], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));

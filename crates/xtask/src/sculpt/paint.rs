@@ -17,7 +17,7 @@ const MOUTH: DVec3 = DVec3::new(0.160, 0.060, 0.048);
 const NAIL: DVec3 = DVec3::new(0.730, 0.540, 0.445);
 const BROW: DVec3 = DVec3::new(0.330, 0.205, 0.145);
 const LASH: DVec3 = DVec3::new(0.150, 0.085, 0.060);
-/// The height where the lips meet, as drawn.
+/// The height where the lips meet in the middle, as drawn.
 const SEAM: f64 = 1.5467;
 /// White of the eye, iris and its rim, pupil.
 pub const EYE_WHITE: DVec3 = DVec3::new(0.800, 0.780, 0.740);
@@ -38,7 +38,7 @@ pub fn skin(skeleton: &Skeleton, field: &Lookup<'_>, p: DVec3, normal: DVec3) ->
     color = color.lerp(LIPS, 0.75 * lips(drawn));
     color = color.lerp(BROW, 0.45 * brow(drawn));
     color = color.lerp(LASH, lashes(drawn));
-    color = color.lerp(MOUTH, 0.55 * ease(0.0022, 0.0, (drawn.y - SEAM).abs()) * lips(drawn));
+    color = color.lerp(MOUTH, 0.55 * ease(0.0022, 0.0, (drawn.y - seam(drawn)).abs()) * lips(drawn));
     color.lerp(NAIL, 0.8 * nail)
 }
 
@@ -52,6 +52,11 @@ fn closeness(field: &Lookup<'_>, p: DVec3, normal: DVec3, scale: f64) -> f64 {
     shut.min(1.0)
 }
 
+/// The height of the line between the lips: the corners a little up.
+fn seam(p: DVec3) -> f64 {
+    SEAM + 0.0010 * (p.x * p.x) / (0.0225 * 0.0225)
+}
+
 fn lips(p: DVec3) -> f64 {
     if p.z < 0.085 {
         return 0.0;
@@ -59,8 +64,8 @@ fn lips(p: DVec3) -> f64 {
     let along = p.x.abs() / 0.0245;
     let bow = 0.0012 * ease(0.008, 0.003, p.x.abs()) * ease(0.0, 0.003, p.x.abs());
     let fall = (1.0 - along * along).max(0.0);
-    let height = if p.y > SEAM { 0.0070 * fall + bow } else { 0.0092 * fall };
-    ease(0.0012, -0.0012, (p.y - SEAM).abs() - height) * ease(1.03, 0.94, along)
+    let height = if p.y > seam(p) { 0.0070 * fall + bow } else { 0.0092 * fall };
+    ease(0.0012, -0.0012, (p.y - seam(p)).abs() - height) * ease(1.03, 0.94, along)
 }
 
 /// The lids' edges: dark above the eye, faint below.

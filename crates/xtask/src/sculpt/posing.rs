@@ -25,12 +25,12 @@ pub const RELAXED: &Stance = &[
     (Bone::LeftLittleDistal, [20.0, 0.0, 0.0]),
 ];
 
-/// Sitting, elbows folded.
+/// Sitting, elbows folded, palms to the face.
 pub const SEATED: &Stance = &[
     (Bone::LeftUpperLeg, [90.0, 6.0, 0.0]),
     (Bone::LeftLowerLeg, [90.0, 0.0, 0.0]),
     (Bone::LeftUpperArm, [20.0, -70.0, 0.0]),
-    (Bone::LeftLowerArm, [120.0, 0.0, 0.0]),
+    (Bone::LeftLowerArm, [120.0, 0.0, -80.0]),
 ];
 
 /// A fist on a straight arm, arms up, one long step.

@@ -88,7 +88,7 @@ fn chest(f: &Fit, torso: &mut Part) {
 fn back(f: &Fit, torso: &mut Part) {
     // Broad back muscle to the armpit, shoulder blade, the columns beside the spine and the furrow between them.
     torso.add(0.05, f.cone([0.092, 1.130, -0.020], 0.016, [0.124, 1.300, -0.034], 0.034));
-    torso.add(0.06, f.egg([0.090, 1.335, -0.058], [0.078, 0.050, 0.018], [0.25, 1.0, 0.1], [1.0, 0.0, 0.3]));
+    torso.add(0.05, f.cone([0.068, 1.385, -0.046], 0.034, [0.090, 1.305, -0.044], 0.034));
     torso.cut(0.05, f.cone([0.0, 0.98, -0.090], 0.010, [0.0, 1.10, -0.082], 0.012));
     torso.cut(0.05, f.cone([0.0, 1.10, -0.082], 0.012, [0.0, 1.36, -0.106], 0.010));
 }
