@@ -24,6 +24,8 @@ pub enum Request {
     /// Shows what a command would do: the first preview begins a gesture, each later one starts again
     /// from the gesture's first state.
     Preview(Command),
+    /// As [`Request::Preview`] for commands that make one gesture together, one after another.
+    PreviewAll(Vec<Command>),
     /// Ends the gesture under way as one step of history.
     Commit,
     /// Ends the gesture under way as if it had never been.
@@ -141,7 +143,8 @@ impl Editor {
     pub fn submit(&mut self, request: Request, files: &mut dyn Files) -> Result<Outcome, Rejected> {
         match request {
             Request::Do(command) => self.run(&command, files),
-            Request::Preview(command) => self.preview(&command, files),
+            Request::Preview(command) => self.preview(&[command], files),
+            Request::PreviewAll(commands) => self.preview(&commands, files),
             Request::Commit => Ok(self.commit()),
             Request::Cancel => Ok(self.cancel()),
             Request::Undo => Ok(self.undo()),
@@ -159,12 +162,18 @@ impl Editor {
         Ok(outcome)
     }
 
-    fn preview(&mut self, command: &Command, files: &mut dyn Files) -> Result<Outcome, Rejected> {
+    fn preview(&mut self, commands: &[Command], files: &mut dyn Files) -> Result<Outcome, Rejected> {
+        let Some(last) = commands.last() else { return Ok(Outcome::default()) };
         let first = self.gesture.as_ref().map_or(&self.document, |step| &step.document);
-        let Applied { document, outcome } = apply(&self.figure, first, command, files)?;
+        let mut document = first.clone();
+        let mut outcome = Outcome::default();
+        for command in commands {
+            let applied = apply(&self.figure, &document, command, files)?;
+            let clamped = outcome.clamped || applied.outcome.clamped;
+            (document, outcome) = (applied.document, Outcome { clamped, ..applied.outcome });
+        }
         if self.gesture.is_none() {
-            let name = command.name().to_owned();
-            self.gesture = Some(Step { document: self.document.clone(), name });
+            self.gesture = Some(Step { document: self.document.clone(), name: last.name().to_owned() });
         }
         self.show(document);
         Ok(outcome)

@@ -49,7 +49,7 @@ pub use pose_file::{
     POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_pose,
 };
 pub use skeleton::{Skeleton, SkeletonError};
-pub use skin::{PALETTE_LEN, Palette, SkinBounds, skin_normals, skin_positions};
-pub use torso::{aim_spine, look_at};
+pub use skin::{PALETTE_LEN, Palette, SkinBounds, skin_normals, skin_position, skin_positions};
+pub use torso::{aim_spine, look_at, spine_twist};
 pub use turn::{Moved, Slider, live_range, sliders, turn};
 pub use turn_in_contact::{contact_joint, turn_in_contact};

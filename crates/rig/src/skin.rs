@@ -66,6 +66,15 @@ fn blend(palette: &Palette, joints: [u8; 4], weights: [u16; 4]) -> [[f32; 4]; 3]
     m
 }
 
+/// One posed vertex, in the palette's space, metres.
+///
+/// # Panics
+/// A vertex beyond the mesh's last.
+pub fn skin_position(mesh: &Mesh, palette: &Palette, vertex: usize) -> Vec3 {
+    let matrix = blend(palette, mesh.joints[vertex], mesh.weights[vertex]);
+    apply(&matrix, Vec3::from_array(mesh.positions[vertex]), 1.0)
+}
+
 /// Posed vertex positions, figure space, metres. A mesh with a [`Mesh::fault`] yields as many as it has whole vertices.
 pub fn skin_positions(mesh: &Mesh, palette: &Palette) -> Vec<Vec3> {
     let rows = mesh.positions.iter().zip(&mesh.joints).zip(&mesh.weights);

@@ -1,7 +1,7 @@
 //! The torso and the head by what they aim at.
 
 use glam::{DQuat, DVec3};
-use kin::{Column, Eye, Frame, Gaze, Interval};
+use kin::{Column, ColumnState, Eye, Frame, Gaze, Interval};
 
 use crate::contacts::keep_contacts;
 use crate::gesture::{finite, present};
@@ -24,24 +24,50 @@ pub fn aim_spine(
     if !twist.is_finite() {
         return Err(GestureError::NotFinite { what: "the twist" });
     }
-    let bones = [Bone::Spine, Bone::Chest, Bone::UpperChest];
-    let [spine, chest, upper_chest] =
-        [present(figure, bones[0])?, present(figure, bones[1])?, present(figure, bones[2])?];
-    let neck = present(figure, Bone::Neck)?;
-    let column = Column::new([chest.offset, upper_chest.offset, neck.offset])
-        .map_err(|_| GestureError::NoDirection)?;
-    let base = frames(figure, before)[Bone::Hips].then(Frame::new(DQuat::IDENTITY, spine.offset));
-    let locals = [spine, chest, upper_chest].map(|joint| joint.rotation(before.angles(joint.bone)));
-    let state = column.recover(&locals).map_err(|_| GestureError::NoDirection)?;
+    let spine = Spine::of(figure)?;
+    let [first, ..] = spine.joints;
+    let base = frames(figure, before)[Bone::Hips].then(Frame::new(DQuat::IDENTITY, first.offset));
+    let state = spine.recover(before)?;
     let aim = base.inverse().point(at);
-    let solved = column.solve(&state, aim, twist.to_radians()).map_err(|_| GestureError::NoDirection)?;
+    let solved =
+        spine.column.solve(&state, aim, twist.to_radians()).map_err(|_| GestureError::NoDirection)?;
     let mut pose = before.clone();
     let mut clamped = !solved.reached();
-    for (joint, local) in [spine, chest, upper_chest].into_iter().zip(column.pose(&solved.state)) {
+    for (joint, local) in spine.joints.into_iter().zip(spine.column.pose(&solved.state)) {
         clamped |= turn_to(joint, &mut pose, local, before, ranges);
     }
     clamped |= keep_contacts(figure, before, &mut pose, &[], ranges)?;
     Ok(Moved { pose, clamped })
+}
+
+/// The total twist of the spine as it is, degrees: what an aim takes to leave it.
+///
+/// 0 for a figure whose spine has fewer than three joints.
+pub fn spine_twist(figure: &Figure, pose: &Pose) -> f64 {
+    let state = Spine::of(figure).and_then(|spine| spine.recover(pose));
+    state.map_or(0.0, |state| state.bend.twist.to_degrees())
+}
+
+/// The three joints of the spine as one column.
+struct Spine<'a> {
+    joints: [&'a Joint; 3],
+    column: Column<3>,
+}
+
+impl<'a> Spine<'a> {
+    fn of(figure: &'a Figure) -> Result<Spine<'a>, GestureError> {
+        let [spine, chest, upper, neck] =
+            [Bone::Spine, Bone::Chest, Bone::UpperChest, Bone::Neck].map(|bone| present(figure, bone));
+        let (joints, neck) = ([spine?, chest?, upper?], neck?);
+        let segments = [joints[1].offset, joints[2].offset, neck.offset];
+        let column = Column::new(segments).map_err(|_| GestureError::NoDirection)?;
+        Ok(Spine { joints, column })
+    }
+
+    fn recover(&self, pose: &Pose) -> Result<ColumnState<3>, GestureError> {
+        let locals = self.joints.map(|joint| joint.rotation(pose.angles(joint.bone)));
+        self.column.recover(&locals).map_err(|_| GestureError::NoDirection)
+    }
 }
 
 /// Turns neck and head, sharing the turn, so that the point between the eyes looks at a world point; the eyes take
