@@ -11,6 +11,7 @@ mod painter;
 mod panels;
 pub mod picture;
 mod rail;
+mod reaching;
 mod session;
 mod status_line;
 mod theme;

@@ -7,7 +7,7 @@ mod marks;
 mod pick;
 mod picture;
 
-use edit::{Command, Editor, Goal, Request};
+use edit::{Editor, Request};
 use egui::{Key, PointerButton, Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2, Vec3};
 use rig::{Bone, Camera, Limb, Projection, View};
@@ -16,6 +16,7 @@ use pick::Picked;
 use picture::Picture;
 pub use picture::install;
 
+use crate::reaching::reach;
 use crate::{labels, theme};
 
 /// How the figure is looked at, and the gesture in the picture.
@@ -171,7 +172,7 @@ impl Viewport {
             Some(Held::Target { limb, first, from }) => {
                 if let Some(at) = response.interact_pointer_pos().filter(|_| delta != egui::Vec2::ZERO) {
                     let goal = first + self.shift_at(first, self.inside(at) - from);
-                    asked.requests.push(Request::Preview(Command::Reach { limb, to: Goal::World(goal) }));
+                    asked.requests.push(Request::Preview(reach(editor, limb, goal)));
                 }
             }
             None => {}

@@ -98,6 +98,6 @@ impl Sheet<'_> {
         } else {
             "no range".to_owned()
         };
-        format!("{words}\n{open}. Drag anywhere, Shift for fine; double-click for 0.")
+        format!("{words}\n{open}")
     }
 }

@@ -1,6 +1,6 @@
 //! An arm or a leg: its joints, and what it reaches for.
 
-use edit::{At, By, Command, Goal, Hold, Request};
+use edit::{At, By, Command, Hold, Request};
 use egui::{ComboBox, Ui, UiBuilder};
 use kin::Interval;
 use rig::{Bone, Contact, Dof, Limb, Part, Reacher, Space};
@@ -8,6 +8,7 @@ use rig::{Bone, Contact, Dof, Limb, Part, Reacher, Space};
 use super::{Sheet, row};
 use crate::number::Number;
 use crate::rail::Rail;
+use crate::reaching::reach;
 use crate::{labels, theme};
 
 /// What people hold on to. Any other bone that a file names is shown as well.
@@ -132,7 +133,8 @@ impl Sheet<'_> {
         let tip = "Where the articulator goes; world, metres";
         let name = format!("{} target", labels::limb(limb));
         let moved = self.point(ui, "Target", &name, tip, view.target);
-        self.ask_moved(moved, |moved| Command::Reach { limb, to: Goal::World(moved.goal) });
+        let editor = self.editor;
+        self.ask_moved(moved, |moved| reach(editor, limb, moved.goal));
         let mut misses = Vec::new();
         if view.residual > MET_M {
             misses.push(format!("{:.0} mm short of the target", view.residual * 1000.0));

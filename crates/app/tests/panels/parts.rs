@@ -1,12 +1,12 @@
 //! What each part of the body offers besides its sliders.
 
 use app::{Section, labels};
-use edit::{Command, Hold, Request};
+use edit::{By, Command, Hold, Request};
 use egui::accesskit::Role;
 use egui::vec2;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::DVec3;
-use rig::{Bone, Contact, Limb, Part, Reacher, Side, Space};
+use rig::{Bone, Contact, Dof, Limb, Part, Reacher, Side, Space};
 
 use crate::hand::{
     ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, set_number, slider_center, steps, view,
@@ -71,6 +71,24 @@ fn a_target_is_reached_or_the_panel_says_how_far_off_it_is() {
     let far = view(&hand, Limb::LeftArm);
     assert!(far.residual > 0.5 && far.target.x == 2.0, "{far:?}");
     assert!(hand.query_all_by_label_contains("mm short").count() >= 1);
+}
+
+#[test]
+fn a_target_on_a_body_stays_on_it_when_it_is_moved() {
+    let mut hand = at(LEFT_ARM);
+    for command in [
+        Command::Keep { limb: Limb::LeftArm, contact: Hold::Point, space: Space::Body(Bone::Head) },
+        Command::Turn { joint: Bone::Head, dof: Dof::Twist, degrees: 20.0, by: By::To },
+    ] {
+        hand.state_mut().submit(Request::Do(command));
+    }
+    hand.run();
+    let goal = view(&hand, Limb::LeftArm).target.x - 0.1;
+    set_number(&mut hand, "Left arm target x", goal);
+    let after = view(&hand, Limb::LeftArm);
+    assert!((after.articulator.x - goal).abs() < 1e-9, "{after:?}");
+    let contact = pose(&hand).limb(Limb::LeftArm).contact;
+    assert!(matches!(contact, Contact::Point { space: Space::Body(Bone::Head), .. }), "{contact:?}");
 }
 
 #[test]
