@@ -28,6 +28,8 @@ pub enum Dialog {
     SavePath(Option<Intent>),
     /// Asks what becomes of unsaved changes.
     Unsaved(Intent),
+    /// Asks whether another file may be replaced, and what comes after.
+    Replace(PathBuf, Option<Intent>),
     /// Explains.
     Help,
 }
@@ -39,6 +41,8 @@ pub enum Answer {
     Open(PathBuf),
     /// A file to save to, and what comes after.
     Save(PathBuf, Option<Intent>),
+    /// The same, and the file that is there may go.
+    Replace(PathBuf, Option<Intent>),
     /// Unsaved changes are saved before this.
     SaveFirst(Intent),
     /// Unsaved changes are given up for this.
@@ -97,6 +101,7 @@ impl Dialogs {
             match &dialog {
                 Dialog::OpenPath | Dialog::SavePath(_) => (answer, close) = self.path(ui, &dialog),
                 Dialog::Unsaved(intent) => (answer, close) = unsaved(ui, intent),
+                Dialog::Replace(path, then) => (answer, close) = replace(ui, path, then.as_ref()),
                 Dialog::Help => close = help(ui),
             }
         });
@@ -134,7 +139,9 @@ impl Dialogs {
         ui.horizontal(|ui| {
             let ready = !self.path.trim().is_empty();
             let main = egui::Button::new(verb).fill(ui.visuals().selection.bg_fill);
-            clicked[0] = ui.add_enabled(ready, main).clicked();
+            // The bar has a button of the same name.
+            let name = format!("{verb} the pose now");
+            clicked[0] = ui.add_enabled(ready, main).accessible_name(name).clicked();
             clicked[1] = ui.button("Cancel").clicked();
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let busy = self.chooser.is_some();
@@ -264,6 +271,19 @@ fn unsaved(ui: &mut Ui, intent: &Intent) -> (Option<Answer>, bool) {
         close = ui.button("Cancel").clicked();
     });
     (answer, close)
+}
+
+fn replace(ui: &mut Ui, path: &Path, then: Option<&Intent>) -> (Option<Answer>, bool) {
+    ui.heading("There is such a file");
+    ui.add_space(4.0);
+    ui.label(format!("Replace {}?", path.display()));
+    ui.add_space(8.0);
+    let (mut replace, mut close) = (false, false);
+    ui.horizontal(|ui| {
+        replace = ui.add(egui::Button::new("Replace").fill(ui.visuals().selection.bg_fill)).clicked();
+        close = ui.button("Cancel").clicked();
+    });
+    (replace.then(|| Answer::Replace(path.to_owned(), then.cloned())), close)
 }
 
 const HELP: [(&str, &[(&str, &str)]); 4] = [

@@ -302,7 +302,11 @@ impl Session {
         use crate::dialogs::Answer;
         match self.dialogs.show(ui.ctx()) {
             Some(Answer::Open(path)) => self.proceed(Intent::Open(Some(path))),
-            Some(Answer::Save(path, then)) => self.save_then(&path, then),
+            Some(Answer::Save(path, then)) if path.exists() && self.path.as_ref() != Some(&path) => {
+                self.dialogs.ask(Dialog::Replace(path, then));
+                ui.ctx().request_repaint();
+            }
+            Some(Answer::Save(path, then) | Answer::Replace(path, then)) => self.save_then(&path, then),
             Some(Answer::SaveFirst(intent)) => self.save_or_ask(Some(intent)),
             Some(Answer::Discard(intent)) => self.proceed(intent),
             None => {}

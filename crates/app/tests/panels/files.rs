@@ -29,7 +29,7 @@ fn a_pose_is_saved_and_opened_by_path_and_changes_are_asked_about() {
     hand.run();
     click(&mut hand, "Don't save");
     click(&mut hand, "bent.pose.ron");
-    click(&mut hand, "Open");
+    click(&mut hand, "Open the pose now");
     assert_eq!(pose(&hand), saved, "{:?}", hand.state().status());
     assert!(!hand.state().is_modified());
 }
@@ -46,6 +46,27 @@ fn a_file_that_is_no_pose_changes_nothing_and_is_named() {
     let status = hand.state().status();
     assert!(status.fault && status.message.contains("bad.pose.ron:1:"), "{status:?}");
     assert_eq!(pose(&hand), before);
+}
+
+#[test]
+fn another_file_is_replaced_only_after_asking() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("there.pose.ron");
+    std::fs::write(&path, "former").unwrap();
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 42.0);
+    for (answer, replaced) in [("Cancel", false), ("Replace", true)] {
+        hand.key_press_modifiers(Modifiers::COMMAND, Key::S);
+        hand.run();
+        hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        hand.event(egui::Event::Text(path.display().to_string()));
+        hand.run();
+        click(&mut hand, "Save the pose now");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "former");
+        click(&mut hand, answer);
+        assert_eq!(std::fs::read_to_string(&path).unwrap() != "former", replaced);
+    }
+    assert!(!hand.state().is_modified());
 }
 
 #[test]
