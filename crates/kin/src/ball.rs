@@ -4,6 +4,8 @@ use std::f64::consts::PI;
 
 use glam::{DQuat, DVec3};
 
+use crate::axis_angle::{axis_angle, scaled_axis};
+
 /// The axes of a ball joint: rotation = swing(flexion, abduction) then, innermost, twist.
 ///
 /// The swing is a rotation vector in the plane of the flexion and abduction axes; the twist is about
@@ -28,8 +30,8 @@ pub struct Ball {
 impl Ball {
     /// The rotation of those angles, radians; any size, NaN in is NaN out.
     pub fn rotation(&self, flexion: f64, abduction: f64, twist: f64) -> DQuat {
-        let swing = DQuat::from_scaled_axis(self.flexion * flexion + self.abduction * abduction);
-        swing * DQuat::from_axis_angle(self.twist, twist)
+        let swing = scaled_axis(self.flexion * flexion + self.abduction * abduction);
+        if twist == 0.0 { swing } else { swing * axis_angle(self.twist, twist) }
     }
 
     /// The angles of a rotation: flexion, abduction, twist in radians.

@@ -37,14 +37,23 @@ impl Carrier {
 ///
 /// For opposite vectors a fixed half turn is taken.
 pub fn arc(from: DVec3, to: DVec3) -> DQuat {
-    match (from + to).try_normalize() {
-        Some(half) if half.is_finite() => {
-            let axis = from.cross(half);
-            DQuat::from_xyzw(axis.x, axis.y, axis.z, from.dot(half)).normalize()
-        }
-        _ => {
-            let axis = from.any_orthonormal_vector();
-            DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0)
-        }
+    let half = from + to;
+    let axis = from.cross(half);
+    let turn = DQuat::from_xyzw(axis.x, axis.y, axis.z, from.dot(half));
+    if turn.length_squared() >= f64::MIN_POSITIVE {
+        turn.normalize()
+    } else {
+        let axis = from.any_orthonormal_vector();
+        DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0)
     }
+}
+
+/// Sine and cosine of half the angle of `(cosine, sine)`, a vector of any length, without the angle: half of
+/// `atan2(sine, cosine)`, so the cosine is not negative. The null vector is no turn.
+pub fn half_turn(sine: f64, cosine: f64) -> (f64, f64) {
+    let length = (sine * sine + cosine * cosine).sqrt();
+    let (s, c) =
+        if cosine >= 0.0 { (sine, length + cosine) } else { ((length - cosine).copysign(sine), sine.abs()) };
+    let norm = (s * s + c * c).sqrt();
+    if norm > 0.0 { (s / norm, c / norm) } else { (0.0, 1.0) }
 }

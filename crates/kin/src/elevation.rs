@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
-use crate::{Cone, Interval, Limb, swing_twist, wrapped};
+use crate::{Cone, Degenerate, Interval, Limb, LimbGoal, LimbState, swing_twist, wrapped};
 
 /// The range of a root ball joint, in limb axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -95,12 +95,29 @@ impl Limb {
     ///
     /// A cone leaves one arc and a twist interval leaves one arc, so there are at most two.
     pub fn elevations(&self, in_hinge: DVec3, hinge: f64, direction: DVec3, range: &RootRange) -> Elevations {
-        let [carrier, inner] = self.frame_of(in_hinge, hinge, direction);
-        match (cone_arc(carrier, inner, range), twist_arc(carrier, inner, range)) {
-            (Some(a), Some(b)) => Elevations { arcs: intersection(a, b) },
-            _ => Elevations::default(),
-        }
+        feasible(self.frame_of(self.bent(in_hinge, hinge), direction), range)
     }
+
+    /// [`Limb::recover`] and [`Limb::elevations`] in one, for a limb as it is: they share most of the work.
+    ///
+    /// # Errors
+    /// As [`Limb::recover`].
+    pub fn recover_within(
+        &self,
+        in_hinge: DVec3,
+        state: &LimbState,
+        range: &RootRange,
+    ) -> Result<(LimbGoal, Elevations), Degenerate> {
+        let (goal, frame) = self.recovered(in_hinge, state)?;
+        Ok((goal, feasible(frame, range)))
+    }
+}
+
+/// The elevations between the two rotations of [`Limb::frame_of`] that keep the root in range.
+pub(crate) fn feasible([carrier, inner]: [DQuat; 2], range: &RootRange) -> Elevations {
+    let Some(a) = cone_arc(carrier, inner, range) else { return Elevations::default() };
+    let Some(b) = twist_arc(carrier, inner, range) else { return Elevations::default() };
+    Elevations { arcs: intersection(a, b) }
 }
 
 /// Elevations at which the bone lies in its cone.
@@ -111,7 +128,7 @@ fn cone_arc(carrier: DQuat, inner: DQuat, range: &RootRange) -> Option<Arc> {
     let level = bone.y * axis.y;
     let along = bone.x * axis.x + bone.z * axis.z;
     let beside = bone.z * axis.x - bone.x * axis.z;
-    let (radius, best) = (along.hypot(beside), beside.atan2(along));
+    let radius = (along * along + beside * beside).sqrt();
     let rim = range.cone.half_angle.cos();
     if range.cone.half_angle >= PI || level - radius >= rim {
         Some(Arc::CIRCLE)
@@ -119,7 +136,7 @@ fn cone_arc(carrier: DQuat, inner: DQuat, range: &RootRange) -> Option<Arc> {
         None
     } else {
         let half = ((rim - level) / radius).clamp(-1.0, 1.0).acos();
-        Some(Arc { start: wrapped(best - half), width: 2.0 * half })
+        Some(Arc { start: wrapped(beside.atan2(along) - half), width: 2.0 * half })
     }
 }
 
@@ -169,6 +186,9 @@ fn intersection(a: Arc, b: Arc) -> [Option<Arc>; 2] {
 
 /// The same angle in [0, 2 pi).
 fn positive(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(TAU);
+    if (0.0..TAU).contains(&angle) {
+        return angle;
+    }
+    let turned = if (-TAU..0.0).contains(&angle) { angle + TAU } else { angle.rem_euclid(TAU) };
     if turned >= TAU { 0.0 } else { turned }
 }

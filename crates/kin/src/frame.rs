@@ -19,28 +19,33 @@ impl Frame {
     pub const IDENTITY: Frame = Frame { rotation: DQuat::IDENTITY, position: DVec3::ZERO };
 
     /// The frame of that rotation and place.
+    #[inline]
     pub const fn new(rotation: DQuat, position: DVec3) -> Frame {
         Frame { rotation, position }
     }
 
     /// `a_from_b.then(b_from_c)` is `a_from_c`: one quaternion product and one rotated offset.
     #[must_use]
+    #[inline]
     pub fn then(self, inner: Frame) -> Frame {
         Frame { rotation: self.rotation * inner.rotation, position: self.point(inner.position) }
     }
 
     /// A point of the inner frame, in the outer one.
+    #[inline]
     pub fn point(self, point: DVec3) -> DVec3 {
         self.rotation * point + self.position
     }
 
     /// A direction or difference of points of the inner frame, in the outer one: turned, not shifted.
+    #[inline]
     pub fn vector(self, vector: DVec3) -> DVec3 {
         self.rotation * vector
     }
 
     /// The frame the other way round: `a_from_b` becomes `b_from_a`.
     #[must_use]
+    #[inline]
     pub fn inverse(self) -> Frame {
         let rotation = self.rotation.conjugate();
         Frame { rotation, position: -(rotation * self.position) }

@@ -4,6 +4,7 @@
 //! `docs/conventions.md` and `docs/sources.md`.
 
 mod aim;
+mod axis_angle;
 mod ball;
 mod carrier;
 mod collar;
@@ -18,6 +19,7 @@ mod reach;
 mod spine;
 
 pub use aim::{AIM_STEPS, AIM_TOLERANCE_RAD, AimError};
+pub use axis_angle::axis_angle;
 pub use ball::{Ball, swing_twist};
 pub use carrier::Carrier;
 pub use collar::{CollarTurn, Rhythm, collar_turn};

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DQuat, DVec3};
 
 use crate::Carrier;
-use crate::carrier::arc;
+use crate::carrier::{arc, half_turn};
 
 /// The fixed geometry of a limb, in its limb frame: origin at the root joint, any rest direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -16,6 +16,8 @@ pub struct Limb {
     hinge_at_rest: DVec3,
     axis: DVec3,
     carrier: Carrier,
+    /// The constant part of a swing carrier, from +y to its base.
+    base_from_y: DQuat,
     /// `R_D`: takes the rest limb to upper segment along +y and hinge axis +x.
     rest: DQuat,
     /// The hinge's shift along its own axis, metres.
@@ -143,11 +145,19 @@ impl Limb {
         let side = hinge_at_rest.dot(axis);
         let across = hinge_at_rest - axis * side;
         let upper = across.length();
-        let up = across.try_normalize().filter(|_| upper > 1e-12).ok_or(Degenerate::NoUpper)?;
-        let to_y = arc(up, DVec3::Y);
+        if upper <= 1e-12 {
+            return Err(Degenerate::NoUpper);
+        }
+        let to_y = arc(across / upper, DVec3::Y);
         let swung = to_y * axis;
-        let about_y = DQuat::from_rotation_y(swung.z.atan2(swung.x));
-        Ok(Limb { hinge_at_rest, axis, carrier, rest: (about_y * to_y).normalize(), side, upper })
+        let (sine, cosine) = half_turn(swung.z, swung.x);
+        let about_y = DQuat::from_xyzw(0.0, sine, 0.0, cosine);
+        let base_from_y = match carrier {
+            Carrier::Swing { base } => arc(DVec3::Y, base),
+            Carrier::Spherical => DQuat::IDENTITY,
+        };
+        let rest = (about_y * to_y).normalize();
+        Ok(Limb { hinge_at_rest, axis, carrier, base_from_y, rest, side, upper })
     }
 
     /// The textbook limb: upper segment along +y, hinge axis +x.
@@ -171,8 +181,8 @@ impl Limb {
     /// The nearest and the farthest distance from the root at which the hinge can hold that articulator.
     pub fn reach(&self, in_hinge: DVec3) -> (f64, f64) {
         let local = self.local(in_hinge);
-        let (rho, across) = (local.y.hypot(local.z), self.side + local.x);
-        ((self.upper - rho).hypot(across), (self.upper + rho).hypot(across))
+        let (rho, across) = (length(local.y, local.z), self.side + local.x);
+        (length(self.upper - rho, across), length(self.upper + rho, across))
     }
 
     /// The hinge angle in (-pi, pi] that puts the articulator at a distance from the root.
@@ -191,7 +201,7 @@ impl Limb {
             return Err(Degenerate::NotFinite);
         }
         let local = self.local(in_hinge);
-        let rho = local.y.hypot(local.z);
+        let rho = length(local.y, local.z);
         if rho <= 1e-12 {
             return Err(Degenerate::ArticulatorOnHinge);
         }
@@ -207,23 +217,30 @@ impl Limb {
         } else {
             Span::Reached
         };
-        let bend = 2.0 * to_far.max(0.0).sqrt().atan2(to_near.max(0.0).sqrt());
-        let psi = local.z.atan2(local.y);
-        Ok(HingeSolution { angle: wrapped(branch.sign() * bend - psi), span })
+        // (near + i far)^2 has the angle g + psi, (y + i z) has psi: one arc tangent of the quotient.
+        let (far, near) = (to_far.max(0.0), to_near.max(0.0));
+        let (sine, cosine) = (branch.sign() * 2.0 * (far.sqrt() * near.sqrt()), near - far);
+        let angle = (sine * local.y - cosine * local.z).atan2(cosine * local.y + sine * local.z);
+        Ok(HingeSolution { angle: if angle <= -PI { PI } else { angle }, span })
     }
 
     /// The root rotation that points the articulator along a unit direction with the hinge at an angle.
     pub fn root_for(&self, in_hinge: DVec3, hinge: f64, direction: DVec3, elevation: f64) -> DQuat {
-        let [carrier, inner] = self.frame_of(in_hinge, hinge, direction);
-        (carrier * DQuat::from_rotation_y(elevation) * inner).normalize()
+        root(self.frame_of(self.bent(in_hinge, hinge), direction), elevation)
     }
 
-    /// Root rotation = first * turn about y by the elevation * second.
-    pub(crate) fn frame_of(&self, in_hinge: DVec3, hinge: f64, direction: DVec3) -> [DQuat; 2] {
-        let a = self.bent(in_hinge, hinge);
-        let phi = DQuat::from_rotation_x(-a.z.atan2(a.y));
-        let theta = DQuat::from_rotation_z(a.x.atan2(a.y.hypot(a.z)));
-        [self.carrier.rotation(direction), theta * phi * self.rest]
+    /// Root rotation = first * turn about y by the elevation * second, for an articulator that
+    /// [`Limb::bent`] gives.
+    pub(crate) fn frame_of(&self, bent: DVec3, direction: DVec3) -> [DQuat; 2] {
+        let (sine, cosine) = half_turn(-bent.z, bent.y);
+        let phi = DQuat::from_xyzw(sine, 0.0, 0.0, cosine);
+        let (sine, cosine) = half_turn(bent.x, length(bent.y, bent.z));
+        let theta = DQuat::from_xyzw(0.0, 0.0, sine, cosine);
+        let carrier = match self.carrier {
+            Carrier::Swing { base } => arc(base, direction) * self.base_from_y,
+            spherical => spherical.rotation(direction),
+        };
+        [carrier, theta * phi * self.rest]
     }
 
     /// Brings the articulator to the target; joint ranges are not looked at.
@@ -235,9 +252,10 @@ impl Limb {
     pub fn solve(&self, in_hinge: DVec3, goal: &LimbGoal) -> Result<LimbSolution, Degenerate> {
         let (direction, distance) = direction(goal)?;
         let hinge = self.hinge_for(in_hinge, distance, goal.branch)?;
-        let root = self.root_for(in_hinge, hinge.angle, direction, goal.elevation);
+        let bent = self.bent(in_hinge, hinge.angle);
+        let root = root(self.frame_of(bent, direction), goal.elevation);
         let state = LimbState { root, hinge: hinge.angle };
-        let residual = self.articulator(&state, in_hinge).distance(goal.target);
+        let residual = self.placed(root, bent).distance(goal.target);
         Ok(LimbSolution { state, span: hinge.span, residual })
     }
 
@@ -246,38 +264,81 @@ impl Limb {
     /// # Errors
     /// An articulator at the root joint; numbers that are not finite.
     pub fn recover(&self, in_hinge: DVec3, state: &LimbState) -> Result<LimbGoal, Degenerate> {
+        self.recovered(in_hinge, state).map(|(goal, _)| goal)
+    }
+
+    /// As [`Limb::recover`], with what [`Limb::frame_of`] gives on the way.
+    pub(crate) fn recovered(
+        &self,
+        in_hinge: DVec3,
+        state: &LimbState,
+    ) -> Result<(LimbGoal, [DQuat; 2]), Degenerate> {
         if !usable(in_hinge) || !state.hinge.is_finite() || !state.root.is_finite() {
             return Err(Degenerate::NotFinite);
         }
-        let target = self.articulator(state, in_hinge);
-        let toward = target.try_normalize().filter(|_| target.length() > 1e-12);
-        let toward = toward.ok_or(Degenerate::ArticulatorAtRoot)?;
-        let [carrier, inner] = self.frame_of(in_hinge, state.hinge, toward);
+        let turn = state.hinge.sin_cos();
+        let bent = self.turned(in_hinge, turn);
+        let target = self.placed(state.root, bent);
+        let distance = target.length();
+        if distance <= 1e-12 || !distance.is_finite() {
+            return Err(Degenerate::ArticulatorAtRoot);
+        }
+        let [carrier, inner] = self.frame_of(bent, target / distance);
         let about_y = carrier.conjugate() * state.root * inner.conjugate();
         let elevation = wrapped(2.0 * about_y.y.atan2(about_y.w));
-        Ok(LimbGoal { target, elevation, branch: self.branch(in_hinge, state.hinge) })
+        let branch = branch(self.sine(in_hinge, turn));
+        Ok((LimbGoal { target, elevation, branch }, [carrier, inner]))
     }
 
     /// The branch on which a hinge angle lies; a limb that is straight to its articulator, give or take
     /// the rounding, is on the usual one.
     pub fn branch(&self, in_hinge: DVec3, hinge: f64) -> Branch {
-        if self.bend_sine(in_hinge, hinge) < -1e-8 { Branch::Minus } else { Branch::Plus }
+        branch(self.bend_sine(in_hinge, hinge))
     }
 
     /// sin(g + psi): 0 where the limb is straight or folded to its articulator and angles are loose.
     pub fn bend_sine(&self, in_hinge: DVec3, hinge: f64) -> f64 {
+        self.sine(in_hinge, hinge.sin_cos())
+    }
+
+    fn sine(&self, in_hinge: DVec3, (sine, cosine): (f64, f64)) -> f64 {
         let local = self.local(in_hinge);
-        (hinge.sin() * local.y + hinge.cos() * local.z) / local.y.hypot(local.z)
+        (sine * local.y + cosine * local.z) / length(local.y, local.z)
     }
 
     /// The articulator in the upper segment's frame with the hinge at an angle, upper along +y.
-    fn bent(&self, in_hinge: DVec3, hinge: f64) -> DVec3 {
-        DVec3::new(self.side, self.upper, 0.0) + DQuat::from_rotation_x(hinge) * self.local(in_hinge)
+    pub(crate) fn bent(&self, in_hinge: DVec3, hinge: f64) -> DVec3 {
+        self.turned(in_hinge, hinge.sin_cos())
+    }
+
+    /// As [`Limb::bent`], given the sine and cosine of the hinge's angle.
+    fn turned(&self, in_hinge: DVec3, (sine, cosine): (f64, f64)) -> DVec3 {
+        let DVec3 { x, y, z } = self.local(in_hinge);
+        DVec3::new(self.side + x, self.upper + cosine * y - sine * z, sine * y + cosine * z)
+    }
+
+    /// A point that [`Limb::bent`] gives, in the limb frame with the root at a rotation.
+    pub(crate) fn placed(&self, root: DQuat, bent: DVec3) -> DVec3 {
+        root * (self.rest.conjugate() * bent)
     }
 
     fn local(&self, in_hinge: DVec3) -> DVec3 {
         self.rest * in_hinge
     }
+}
+
+/// The root's rotation from what [`Limb::frame_of`] gives and the elevation.
+pub(crate) fn root([carrier, inner]: [DQuat; 2], elevation: f64) -> DQuat {
+    (carrier * DQuat::from_rotation_y(elevation) * inner).normalize()
+}
+
+fn branch(bend_sine: f64) -> Branch {
+    if bend_sine < -1e-8 { Branch::Minus } else { Branch::Plus }
+}
+
+/// The length of a vector whose squares are known to stay in range.
+fn length(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
 }
 
 /// Direction and distance of a goal's target.

@@ -1,10 +1,12 @@
 //! Reaching with joint ranges: the nearest feasible elevation, else joints that stop at their ranges.
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
-use crate::limb::direction;
+use crate::elevation::feasible;
+use crate::limb::{direction, root};
 use crate::{Degenerate, Interval, Limb, LimbGoal, LimbState, RootRange, Span};
 
 /// The ranges of a limb's own joints.
@@ -62,15 +64,14 @@ impl Limb {
         ranges: &LimbRanges,
         window: f64,
     ) -> Result<Reach, Degenerate> {
-        direction(goal)?;
-        let quest = Quest { limb: self, in_hinge, goal, from, ranges: ranges.reaching(from), window };
-        let direct = quest.held(goal.target)?;
-        let found = match direct.state {
-            Some(state) => state,
-            None => quest.nearest().unwrap_or(*from),
+        let quest = Quest::new(self, in_hinge, goal, from, ranges, window);
+        let direct = quest.aimed(goal.target)?;
+        let (state, limited) = match quest.held(&direct) {
+            Some((state, turn)) => (state, turn != 0.0 || direct.stopped),
+            None => (quest.nearest().unwrap_or(*from), true),
         };
-        let residual = self.articulator(&found, in_hinge).distance(goal.target);
-        Ok(Reach { state: found, span: direct.span, residual, limited: direct.limited })
+        let residual = self.articulator(&state, in_hinge).distance(goal.target);
+        Ok(Reach { state, span: direct.span, residual, limited })
     }
 
     /// As [`Limb::reach_within`], but `None` where no elevation in the window is feasible: nothing is searched.
@@ -85,21 +86,9 @@ impl Limb {
         ranges: &LimbRanges,
         window: f64,
     ) -> Result<Option<LimbState>, Degenerate> {
-        let quest = Quest { limb: self, in_hinge, goal, from, ranges: ranges.reaching(from), window };
-        Ok(quest.held(goal.target)?.state)
-    }
-
-    /// The hinge angle, or the end of its range whose distance comes nearer.
-    fn stopped(&self, in_hinge: DVec3, angle: f64, distance: f64, range: Interval) -> f64 {
-        if range.contains(angle) {
-            return angle;
-        }
-        let miss = |hinge: f64| {
-            let state = LimbState { root: DQuat::IDENTITY, hinge };
-            (self.articulator(&state, in_hinge).length() - distance).abs()
-        };
-        let ends = [range.min, range.max].into_iter().filter(|end| end.is_finite());
-        ends.min_by(|a, b| miss(*a).total_cmp(&miss(*b))).unwrap_or(angle)
+        let quest = Quest::new(self, in_hinge, goal, from, ranges, window);
+        let direct = quest.aimed(goal.target)?;
+        Ok(quest.held(&direct).map(|(state, _)| state))
     }
 }
 
@@ -111,13 +100,19 @@ struct Quest<'a> {
     from: &'a LimbState,
     ranges: LimbRanges,
     window: f64,
+    /// The ends of the hinge's range and the distances at which they hold the articulator.
+    stops: OnceCell<[(f64, f64); 2]>,
 }
 
-/// How the limb holds a place: `None` if no elevation in the window is feasible there.
-struct Held {
-    state: Option<LimbState>,
+/// A limb bent for a place; the elevation is still open, and no matter where the articulator goes.
+struct Aimed {
+    direction: DVec3,
+    hinge: f64,
+    /// The articulator in the upper segment's frame.
+    bent: DVec3,
     span: Span,
-    limited: bool,
+    /// Whether the hinge stopped at its range.
+    stopped: bool,
 }
 
 /// A place that can be held, and how far from the target it leaves the articulator.
@@ -128,25 +123,65 @@ struct Candidate {
     missed: f64,
 }
 
-impl Quest<'_> {
-    /// The joints that bring the articulator to a place, or along its direction as far as the hinge goes.
-    fn held(&self, place: DVec3) -> Result<Held, Degenerate> {
+impl<'a> Quest<'a> {
+    fn new(
+        limb: &'a Limb,
+        in_hinge: DVec3,
+        goal: &'a LimbGoal,
+        from: &'a LimbState,
+        ranges: &LimbRanges,
+        window: f64,
+    ) -> Quest<'a> {
+        let ranges = ranges.reaching(from);
+        Quest { limb, in_hinge, goal, from, ranges, window, stops: OnceCell::new() }
+    }
+
+    /// The limb bent so that its articulator is at a place's distance, or as near to it as the hinge goes.
+    fn aimed(&self, place: DVec3) -> Result<Aimed, Degenerate> {
         let (direction, distance) = direction(&LimbGoal { target: place, ..*self.goal })?;
         let free = self.limb.hinge_for(self.in_hinge, distance, self.goal.branch)?;
         let angle = unwound(free.angle, self.from.hinge, self.ranges.hinge);
-        let hinge = self.limb.stopped(self.in_hinge, angle, distance, self.ranges.hinge);
-        let elevations = self.limb.elevations(self.in_hinge, hinge, direction, &self.ranges.root);
-        let turn = elevations.nearest(self.goal.elevation).filter(|turn| turn.abs() <= self.window);
-        let state = turn.map(|turn| {
-            let elevation = self.goal.elevation + turn;
-            LimbState { root: self.limb.root_for(self.in_hinge, hinge, direction, elevation), hinge }
-        });
-        Ok(Held { state, span: free.span, limited: turn != Some(0.0) || hinge != angle })
+        let hinge = self.stopped(angle, distance);
+        let bent = self.limb.bent(self.in_hinge, hinge);
+        Ok(Aimed { direction, hinge, bent, span: free.span, stopped: hinge != angle })
     }
 
-    fn candidate(&self, place: DVec3) -> Option<Candidate> {
-        let state = self.held(place).ok()?.state?;
-        let missed = self.limb.articulator(&state, self.in_hinge).distance(self.goal.target);
+    /// The hinge angle, or the end of its range whose distance comes nearer.
+    fn stopped(&self, angle: f64, distance: f64) -> f64 {
+        let range = self.ranges.hinge;
+        if range.contains(angle) {
+            return angle;
+        }
+        let at = |end| (end, self.limb.bent(self.in_hinge, end).length());
+        let stops = self.stops.get_or_init(|| [at(range.min), at(range.max)]);
+        let miss = |stop: &(f64, f64)| (stop.1 - distance).abs();
+        let ends = stops.iter().filter(|(end, _)| end.is_finite());
+        ends.min_by(|a, b| miss(a).total_cmp(&miss(b))).map_or(angle, |(end, _)| *end)
+    }
+
+    /// The joints at the feasible elevation nearest to the goal's, and how far that is from it; `None` if
+    /// none lies in the window.
+    fn held(&self, aimed: &Aimed) -> Option<(LimbState, f64)> {
+        let frame = self.limb.frame_of(aimed.bent, aimed.direction);
+        let elevations = feasible(frame, &self.ranges.root);
+        let turn = elevations.nearest(self.goal.elevation).filter(|turn| turn.abs() <= self.window)?;
+        Some((LimbState { root: root(frame, self.goal.elevation + turn), hinge: aimed.hinge }, turn))
+    }
+
+    /// A place that can be held and misses the target by less than a bound; what can't do so is left early.
+    fn candidate(&self, place: DVec3, below: f64) -> Option<Candidate> {
+        let target = self.goal.target;
+        let along = target.dot(place).max(0.0);
+        // The articulator lies on the ray through the place, so it misses by what the ray does or more.
+        if (target.length_squared() - below * below) * place.length_squared() > along * along {
+            return None;
+        }
+        let aimed = self.aimed(place).ok()?;
+        let missed = (aimed.direction * aimed.bent.length()).distance(target);
+        if missed >= below {
+            return None;
+        }
+        let (state, _) = self.held(&aimed)?;
         Some(Candidate { place, state, missed })
     }
 
@@ -164,22 +199,33 @@ impl Quest<'_> {
             [along, near, near + 0.3 * (far - near), near + 0.7 * (far - near), far].map(|d| direction * d)
         });
         for place in std::iter::once(start).chain(spread) {
-            if let Some(found) = self.candidate(place) {
+            if let Some(found) = self.candidate(place, missed(&best[SEEDS - 1])) {
                 keep_apart(&mut best, found, 0.15 * far);
             }
         }
-        let coarse = best.into_iter().flatten().map(|seed| self.close_in(seed, 0.06, 2e-3));
+        let compass = std::array::from_fn(|i| sphere(i as u32, COMPASS as u32));
+        let coarse = best.into_iter().flatten().map(|seed| self.close_in(seed, &compass, 0.06, 2e-3));
         let seed = coarse.min_by(|a, b| a.missed.total_cmp(&b.missed))?;
-        Some(self.close_in(seed, 2e-3, 1e-9).state)
+        Some(self.close_in(seed, &compass, 2e-3, 1e-9).state)
     }
 
     /// Compass search over places, from one step width down to another, metres.
-    fn close_in(&self, mut best: Candidate, mut step: f64, finest: f64) -> Candidate {
+    fn close_in(
+        &self,
+        mut best: Candidate,
+        compass: &[DVec3; COMPASS],
+        mut step: f64,
+        finest: f64,
+    ) -> Candidate {
         while step > finest {
-            let around = (0..COMPASS).filter_map(|i| self.candidate(best.place + sphere(i, COMPASS) * step));
-            match around.min_by(|a, b| a.missed.total_cmp(&b.missed)) {
-                Some(next) if next.missed < best.missed => best = next,
-                _ => step *= 0.5,
+            let mut next = best;
+            for toward in compass {
+                next = self.candidate(best.place + toward * step, next.missed).unwrap_or(next);
+            }
+            if next.missed < best.missed {
+                best = next;
+            } else {
+                step *= 0.5;
             }
         }
         best
@@ -208,7 +254,7 @@ fn missed(candidate: &Option<Candidate>) -> f64 {
 /// Places tried all round the root, places kept, and directions tried at each step.
 const SPREAD: u32 = 160;
 const SEEDS: usize = 5;
-const COMPASS: u32 = 24;
+const COMPASS: usize = 24;
 
 /// The i-th of n directions spread evenly over the sphere.
 fn sphere(i: u32, n: u32) -> DVec3 {

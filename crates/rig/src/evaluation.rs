@@ -1,7 +1,7 @@
 //! What a pose comes to: every joint in the world, every limb's contact and inverse parameters.
 
 use glam::{DQuat, DVec3};
-use kin::{Frame, Link};
+use kin::{Frame, Link, RootRange};
 
 use crate::limb_rig::LimbRig;
 use crate::{Bone, Contact, Figure, Frames, Limb, Place, Pose, Space};
@@ -46,20 +46,25 @@ pub fn evaluate(figure: &Figure, pose: &Pose, ranges: bool) -> Evaluation {
 
 /// `world_from_joint` of every bone.
 pub fn frames(figure: &Figure, pose: &Pose) -> Frames {
+    // The turns first, each on its own, then the chain: a processor overlaps what does not wait for the joint before.
+    let mut rotations = [DQuat::IDENTITY; Bone::COUNT];
+    for joint in figure.skeleton.joints() {
+        rotations[joint.bone.index()] = joint.rotation(pose.angles(joint.bone));
+    }
     let links = Bone::ALL.iter().map(|&bone| match figure.skeleton.joint(bone) {
         Some(joint) => Link {
             carrier: joint.carrier.map(Bone::index),
             offset: if bone == Bone::Hips { pose.hips } else { joint.offset },
-            rotation: joint.rotation(pose.angles(bone)),
+            rotation: rotations[bone.index()],
         },
         None => {
             Link { carrier: Some(bone.carrier().index()), offset: DVec3::ZERO, rotation: DQuat::IDENTITY }
         }
     });
-    let mut out = [Frame::IDENTITY; Bone::COUNT];
-    let written = kin::fk(pose.place.world_from_figure(), links, &mut out);
+    let mut frames = Frames([Frame::IDENTITY; Bone::COUNT]);
+    let written = kin::fk(pose.place.world_from_figure(), links, &mut frames.0);
     debug_assert_eq!(written, Ok(Bone::COUNT), "bones are in carrier order");
-    Frames(out)
+    frames
 }
 
 impl Place {
@@ -82,7 +87,7 @@ impl Frames {
 /// The mean of the segments' centres by mass; the hips if the figure has no mass.
 pub fn center_of_mass(figure: &Figure, frames: &Frames) -> DVec3 {
     let (mut mass, mut moment) = (0.0, DVec3::ZERO);
-    for joint in figure.skeleton.joints() {
+    for joint in figure.skeleton.joints().filter(|joint| joint.mass != 0.0) {
         mass += joint.mass;
         moment += frames[joint.bone].point(joint.center_of_mass) * joint.mass;
     }
@@ -111,17 +116,17 @@ fn view(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb, ranges: bool)
         branch: 1,
     };
     let Some(rig) = LimbRig::new(figure, limb) else { return empty };
-    let about = rig.about(figure, pose);
+    let about = rig.about_or(figure, pose, at);
     let state = rig.state(figure, pose);
-    let branch = rig.kin.branch(about, state.hinge).sign() as i8;
-    match rig.kin.recover(about, &state) {
-        Ok(goal) => LimbView {
+    let limits = if ranges { rig.ranges.root } else { RootRange::FREE };
+    match rig.kin.recover_within(about, &state, &limits) {
+        Ok((goal, feasible)) => LimbView {
             elevation: Some(rig.reported(goal.elevation)),
-            elevation_range: rig.reported_range(about, &state, &goal, ranges),
-            branch,
+            elevation_range: rig.reported_range(&goal, &feasible),
+            branch: goal.branch.sign() as i8,
             ..empty
         },
-        Err(_) => LimbView { branch, ..empty },
+        Err(_) => LimbView { branch: rig.kin.branch(about, state.hinge).sign() as i8, ..empty },
     }
 }
 

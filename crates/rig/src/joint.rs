@@ -1,7 +1,7 @@
 //! What one joint can do: its degrees of freedom, their axes and their ranges.
 
 use glam::{DQuat, DVec3};
-use kin::{Ball, Cone, Interval};
+use kin::{Ball, Cone, Interval, axis_angle};
 use serde::{Deserialize, Serialize};
 
 use crate::Bone;
@@ -139,9 +139,15 @@ impl Joint {
     /// The rotation of those angles, from the joint's frame to its carrier's.
     pub fn rotation(&self, angles: Angles) -> DQuat {
         match &self.articulation {
-            Articulation::Hinges(hinges) => hinges.iter().fold(DQuat::IDENTITY, |q, h| {
-                q * DQuat::from_axis_angle(h.axis, angles.get(h.dof).to_radians())
-            }),
+            Articulation::Hinges(hinges) => {
+                let turn = |h: &Hinge| axis_angle(h.axis, angles.get(h.dof).to_radians());
+                match hinges.as_slice() {
+                    [] => DQuat::IDENTITY,
+                    [only] => turn(only),
+                    [outer, inner] => turn(outer) * turn(inner),
+                    more => more.iter().map(turn).fold(DQuat::IDENTITY, |outer, inner| outer * inner),
+                }
+            }
             Articulation::Ball { ball, .. } => ball.rotation(
                 angles.flexion.to_radians(),
                 angles.abduction.to_radians(),

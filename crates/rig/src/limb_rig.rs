@@ -1,9 +1,11 @@
 //! A figure's limb in the frame of the closed form: axes, mirror, ranges, and the way back to angles.
 
-use glam::{DMat3, DQuat, DVec3};
-use kin::{Carrier, Cone, Interval, LimbGoal, LimbRanges, LimbState, RootRange, wrapped};
+use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::{Articulation, Bone, Contact, Dof, Figure, Joint, Limb, Pose};
+use glam::{DQuat, DVec3};
+use kin::{Carrier, Cone, Elevations, Interval, LimbGoal, LimbRanges, LimbState, RootRange, wrapped};
+
+use crate::{Articulation, Articulator, Bone, Contact, Dof, Figure, Joint, Limb, Pose};
 
 /// One limb of a figure, ready to solve. Lengths and angles are those of the limb frame: x outward.
 ///
@@ -16,6 +18,12 @@ pub(crate) struct LimbRig {
     /// What carries the root joint.
     pub base: Bone,
     root_offset: DVec3,
+    axes: Axes,
+}
+
+/// The limb's axes in its base's.
+#[derive(Clone, Copy, Debug)]
+struct Axes {
     base_from_limb: DQuat,
     mirrored: bool,
 }
@@ -26,63 +34,29 @@ impl LimbRig {
         let parts = limb.parts();
         let skeleton = &figure.skeleton;
         let (root, hinge) = (skeleton.joint(parts.root)?, skeleton.joint(parts.hinge)?);
-        let mut rig = LimbRig {
+        let axes = Axes::of(limb);
+        let flexion = flexion(hinge)?;
+        let base = axes.point_in_limb(figure.swing_bases[limb.index()]);
+        let (knee, axis) = (axes.point_in_limb(hinge.offset), axes.axis_in_limb(flexion.axis));
+        Some(LimbRig {
             limb,
-            kin: kin::Limb::straight(1.0, Carrier::Spherical).ok()?,
-            ranges: LimbRanges::FREE,
+            kin: kin::Limb::new(knee, axis, Carrier::Swing { base }).ok()?,
+            ranges: LimbRanges { root: axes.root_range(root)?, hinge: radians(flexion.range) },
             base: root.carrier?,
             root_offset: root.offset,
-            base_from_limb: axes(limb),
-            mirrored: limb.side() == crate::Side::Right,
-        };
-        let flexion = flexion(hinge)?;
-        let base = rig.point_in_limb(figure.swing_bases[limb.index()]);
-        let axis = rig.axis_in_limb(flexion.axis);
-        rig.kin = kin::Limb::new(rig.point_in_limb(hinge.offset), axis, Carrier::Swing { base }).ok()?;
-        rig.ranges = LimbRanges { root: rig.root_range(root)?, hinge: radians(flexion.range) };
-        Some(rig)
-    }
-
-    fn root_range(&self, root: &Joint) -> Option<RootRange> {
-        let Articulation::Ball { ball, ranges, cone } = &root.articulation else { return None };
-        let cone = cone.map_or(Cone::FREE, |c| Cone { axis: self.point_in_limb(c.axis), ..c });
-        Some(RootRange {
-            cone,
-            bone: self.point_in_limb(root.bone_direction()?),
-            twist_axis: self.axis_in_limb(ball.twist),
-            twist: radians(ranges[Dof::Twist as usize]),
+            axes,
         })
-    }
-
-    /// A direction or difference of points: base axes to limb axes.
-    fn point_in_limb(&self, v: DVec3) -> DVec3 {
-        let v = if self.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v };
-        self.base_from_limb.conjugate() * v
-    }
-
-    /// An axis of rotation: a mirror turns its sense round.
-    fn axis_in_limb(&self, v: DVec3) -> DVec3 {
-        let v = if self.mirrored { DVec3::new(v.x, -v.y, -v.z) } else { v };
-        self.base_from_limb.conjugate() * v
     }
 
     /// A point of the base's joint frame in the limb frame.
     pub fn target_in_limb(&self, point_in_base: DVec3) -> DVec3 {
-        self.point_in_limb(point_in_base - self.root_offset)
+        self.axes.point_in_limb(point_in_base - self.root_offset)
     }
 
     /// A point of the limb frame in the base's joint frame.
     pub fn point_in_base(&self, point: DVec3) -> DVec3 {
-        let v = self.base_from_limb * point;
-        self.root_offset + if self.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v }
-    }
-
-    fn rotation_in_limb(&self, q: DQuat) -> DQuat {
-        self.base_from_limb.conjugate() * mirrored_if(self.mirrored, q) * self.base_from_limb
-    }
-
-    fn rotation_in_base(&self, q: DQuat) -> DQuat {
-        mirrored_if(self.mirrored, self.base_from_limb * q * self.base_from_limb.conjugate())
+        let v = self.axes.base_from_limb * point;
+        self.root_offset + if self.axes.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v }
     }
 
     /// The limb's joints, read off a pose.
@@ -92,7 +66,10 @@ impl LimbRig {
             .skeleton
             .joint(parts.root)
             .map_or(DQuat::IDENTITY, |j| j.rotation(pose.angles(parts.root)));
-        LimbState { root: self.rotation_in_limb(root), hinge: pose.angles(parts.hinge).flexion.to_radians() }
+        LimbState {
+            root: self.axes.rotation_in_limb(root),
+            hinge: pose.angles(parts.hinge).flexion.to_radians(),
+        }
     }
 
     /// Writes the limb's joints into a pose: root and hinge, nothing else. An angle that comes out as it
@@ -102,7 +79,7 @@ impl LimbRig {
         if let Some(Articulation::Ball { ball, .. }) =
             figure.skeleton.joint(parts.root).map(|j| &j.articulation)
         {
-            let angles = ball.angles(self.rotation_in_base(state.root));
+            let angles = ball.angles(self.axes.rotation_in_base(state.root));
             for (dof, angle) in Dof::ALL.into_iter().zip(angles) {
                 set(pose, parts.root, dof, angle.to_degrees());
             }
@@ -120,14 +97,18 @@ impl LimbRig {
             }
             bone = bone.carrier();
         }
-        self.point_in_limb(beyond_hinge(figure, pose, hinge) * point)
+        self.axes.point_in_limb(beyond_hinge(figure, pose, hinge) * point)
     }
 
     /// The point about which the limb elevates: its articulator, or the end's joint where the end is
     /// planted and carries the articulator.
     pub fn about(&self, figure: &Figure, pose: &Pose) -> DVec3 {
+        self.about_or(figure, pose, figure.articulator(pose, self.limb))
+    }
+
+    /// As [`LimbRig::about`], given the articulator.
+    pub fn about_or(&self, figure: &Figure, pose: &Pose, at: Articulator) -> DVec3 {
         let parts = self.limb.parts();
-        let at = figure.articulator(pose, self.limb);
         let planted = matches!(pose.limb(self.limb).contact, Contact::Planted { .. });
         if planted && at.bone != parts.hinge {
             self.in_hinge(figure, pose, parts.end, DVec3::ZERO)
@@ -150,20 +131,9 @@ impl LimbRig {
     }
 
     /// The feasible interval around the present elevation, as reported.
-    pub fn reported_range(
-        &self,
-        about: DVec3,
-        state: &LimbState,
-        goal: &LimbGoal,
-        ranges: bool,
-    ) -> Option<[f64; 2]> {
+    pub fn reported_range(&self, goal: &LimbGoal, feasible: &Elevations) -> Option<[f64; 2]> {
         let full = Some([-180.0, 180.0]);
-        if !ranges {
-            return full;
-        }
-        let direction = goal.target.try_normalize()?;
-        let around =
-            self.kin.elevations(about, state.hinge, direction, &self.ranges.root).around(goal.elevation)?;
+        let around = feasible.around(goal.elevation)?;
         if around.1 - around.0 >= std::f64::consts::TAU - 1e-12 {
             return full;
         }
@@ -199,14 +169,47 @@ fn flexion(joint: &Joint) -> Option<&crate::Hinge> {
     }
 }
 
-/// Limb axes of the left side in base axes: arm x outward, y forward, z down; leg x outward, y down, z back.
-fn axes(limb: Limb) -> DQuat {
-    let columns = if limb.is_arm() {
-        DMat3::from_cols(DVec3::X, DVec3::Z, -DVec3::Y)
-    } else {
-        DMat3::from_cols(DVec3::X, -DVec3::Y, -DVec3::Z)
-    };
-    DQuat::from_mat3(&columns)
+impl Axes {
+    /// Of the left side: arm x outward, y forward, z down; leg x outward, y down, z back.
+    fn of(limb: Limb) -> Axes {
+        let base_from_limb = if limb.is_arm() {
+            DQuat::from_xyzw(FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2)
+        } else {
+            DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0)
+        };
+        Axes { base_from_limb, mirrored: limb.side() == crate::Side::Right }
+    }
+
+    /// A direction or difference of points: base axes to limb axes.
+    fn point_in_limb(&self, v: DVec3) -> DVec3 {
+        let v = if self.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v };
+        self.base_from_limb.conjugate() * v
+    }
+
+    /// An axis of rotation: a mirror turns its sense round.
+    fn axis_in_limb(&self, v: DVec3) -> DVec3 {
+        let v = if self.mirrored { DVec3::new(v.x, -v.y, -v.z) } else { v };
+        self.base_from_limb.conjugate() * v
+    }
+
+    fn rotation_in_limb(&self, q: DQuat) -> DQuat {
+        self.base_from_limb.conjugate() * mirrored_if(self.mirrored, q) * self.base_from_limb
+    }
+
+    fn rotation_in_base(&self, q: DQuat) -> DQuat {
+        mirrored_if(self.mirrored, self.base_from_limb * q * self.base_from_limb.conjugate())
+    }
+
+    fn root_range(&self, root: &Joint) -> Option<RootRange> {
+        let Articulation::Ball { ball, ranges, cone } = &root.articulation else { return None };
+        let cone = cone.map_or(Cone::FREE, |c| Cone { axis: self.point_in_limb(c.axis), ..c });
+        Some(RootRange {
+            cone,
+            bone: self.point_in_limb(root.bone_direction()?),
+            twist_axis: self.axis_in_limb(ball.twist),
+            twist: radians(ranges[Dof::Twist as usize]),
+        })
+    }
 }
 
 fn mirrored_if(mirrored: bool, q: DQuat) -> DQuat {
