@@ -30,6 +30,8 @@ pub enum Dialog {
     Unsaved(Intent),
     /// Asks whether another file may be replaced, and what comes after.
     Replace(PathBuf, Option<Intent>),
+    /// Offers a pose that was lost when the program did not end by itself.
+    Recover,
     /// Explains.
     Help,
 }
@@ -47,6 +49,8 @@ pub enum Answer {
     SaveFirst(Intent),
     /// Unsaved changes are given up for this.
     Discard(Intent),
+    /// Whether the lost pose is wanted back.
+    Recover(bool),
 }
 
 /// The dialog that is up, if any, and the desktop's file chooser at work.
@@ -102,6 +106,7 @@ impl Dialogs {
                 Dialog::OpenPath | Dialog::SavePath(_) => (answer, close) = self.path(ui, &dialog),
                 Dialog::Unsaved(intent) => (answer, close) = unsaved(ui, intent),
                 Dialog::Replace(path, then) => (answer, close) = replace(ui, path, then.as_ref()),
+                Dialog::Recover => answer = recover(ui),
                 Dialog::Help => close = help(ui),
             }
         });
@@ -271,6 +276,26 @@ fn unsaved(ui: &mut Ui, intent: &Intent) -> (Option<Answer>, bool) {
         close = ui.button("Cancel").clicked();
     });
     (answer, close)
+}
+
+fn recover(ui: &mut Ui) -> Option<Answer> {
+    ui.heading("A pose was kept");
+    ui.add_space(4.0);
+    ui.label(
+        "Posewright did not end by itself the last time. The pose as it was after the last gesture is here.",
+    );
+    ui.add_space(8.0);
+    let mut answer = None;
+    ui.horizontal(|ui| {
+        let open = egui::Button::new("Open it").fill(ui.visuals().selection.bg_fill);
+        if ui.add(open).clicked() {
+            answer = Some(Answer::Recover(true));
+        }
+        if ui.button("Throw it away").clicked() {
+            answer = Some(Answer::Recover(false));
+        }
+    });
+    answer
 }
 
 fn replace(ui: &mut Ui, path: &Path, then: Option<&Intent>) -> (Option<Answer>, bool) {

@@ -10,6 +10,7 @@ use rig::Pose;
 use crate::dialogs::{Dialog, Dialogs, Intent};
 use crate::disk::{self, Disk};
 use crate::failure::Failure;
+use crate::keepsafe::{Keepsafe, Lost};
 use crate::panels::Panels;
 use crate::viewport::{self, Viewport};
 use crate::{load, status_line, theme, toolbar};
@@ -42,6 +43,11 @@ pub struct Session {
     pub software: bool,
     moving: bool,
     quit: bool,
+    keepsafe: Option<Keepsafe>,
+    /// The revision that the keepsafe holds.
+    kept: u64,
+    /// What another window lost, while it is offered.
+    lost: Option<Lost>,
 }
 
 impl Session {
@@ -59,7 +65,69 @@ impl Session {
             software: false,
             moving: false,
             quit: false,
+            keepsafe: None,
+            kept: 0,
+            lost: None,
         }
+    }
+
+    /// Keeps every committed pose in a folder, and offers what was lost there the last time.
+    ///
+    /// A folder that can't be written is told in the status line; the session goes on without.
+    pub fn keep_in(&mut self, folder: &Path) {
+        self.kept = self.editor.revision();
+        match Keepsafe::begin(folder) {
+            Ok((keepsafe, lost)) => {
+                self.keepsafe = Some(keepsafe);
+                self.lost = lost.into_iter().next();
+                if self.lost.is_some() {
+                    self.dialogs.ask(Dialog::Recover);
+                }
+            }
+            Err(error) => {
+                let message = format!("{}: poses can't be kept here: {error}", folder.display());
+                self.tell(Err(Failure::Input(message)));
+            }
+        }
+    }
+
+    /// The session has ended by itself: nothing is to be offered again.
+    pub fn end(&mut self) {
+        if let Some(keepsafe) = self.keepsafe.take() {
+            keepsafe.done();
+        }
+    }
+
+    /// Hands a pose that has changed to the keepsafe, gestures when they are committed.
+    fn keep(&mut self) {
+        let revision = self.editor.revision();
+        if let Some(keepsafe) =
+            self.keepsafe.as_ref().filter(|_| !self.editor.in_gesture() && revision != self.kept)
+        {
+            keepsafe.keep(rig::write_pose(self.editor.figure(), self.editor.pose()));
+            self.kept = revision;
+        }
+    }
+
+    /// Takes up the lost pose or forgets it.
+    fn recover(&mut self, wanted: bool) {
+        let Some(lost) = self.lost.take() else { return };
+        if wanted {
+            let figure = self.editor.figure().clone();
+            match rig::parse_pose(&lost.text) {
+                Ok(patch) if rig::check_patch(&figure, &patch).is_ok() => {
+                    self.submit(Request::Open(Box::new(patch.onto(&figure.rest_pose()))));
+                    self.status =
+                        Status { message: "Opened the pose that was kept".to_owned(), ..Status::default() };
+                }
+                _ => {
+                    let message = "the pose that was kept is not of this figure; it stays on disk".to_owned();
+                    self.tell(Err(Failure::Input(message)));
+                    return;
+                }
+            }
+        }
+        lost.forget();
     }
 
     /// The editor.
@@ -215,6 +283,7 @@ impl Session {
         self.picture(ui);
         self.end_gesture(ui);
         self.dialogs(ui);
+        self.keep();
     }
 
     fn picture(&mut self, ui: &mut Ui) {
@@ -309,6 +378,7 @@ impl Session {
             Some(Answer::Save(path, then) | Answer::Replace(path, then)) => self.save_then(&path, then),
             Some(Answer::SaveFirst(intent)) => self.save_or_ask(Some(intent)),
             Some(Answer::Discard(intent)) => self.proceed(intent),
+            Some(Answer::Recover(wanted)) => self.recover(wanted),
             None => {}
         }
     }

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use edit::Editor;
 
 use crate::failure::Failure;
+use crate::keepsafe::Keepsafe;
 use crate::load::{self, Kind};
 use crate::session::Session;
 
@@ -24,7 +25,10 @@ pub use offscreen::{session_picture, ui_picture};
 /// # Errors
 /// No display or no adapter, with the cure; files at fault.
 pub fn run(files: &[PathBuf], ui_map: Option<&Path>) -> Result<(), Failure> {
-    let session = session(files)?;
+    let mut session = session(files)?;
+    if let Some(folder) = Keepsafe::folder() {
+        session.keep_in(&folder);
+    }
     frames::run(session, ui_map.map(Path::to_owned))
 }
 

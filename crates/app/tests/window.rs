@@ -6,6 +6,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -41,6 +42,7 @@ impl Window {
         let child = Command::new(env!("CARGO_BIN_EXE_posewright"))
             .arg("--ui-map")
             .arg(&map_path)
+            .env("XDG_DATA_HOME", folder.join("data"))
             .stdin(Stdio::null())
             .spawn()
             .unwrap();
@@ -158,12 +160,19 @@ fn saved_elbow(figure: &Figure, path: &Path) -> f64 {
     patch.onto(&figure.rest_pose()).angles(Bone::LeftLowerArm).flexion
 }
 
-#[test]
-fn a_pose_is_made_by_hand_saved_and_opened_again() {
+/// The display's one pointer, for one test at a time; `None` if it is not for tests.
+fn display() -> Option<MutexGuard<'static, ()>> {
+    static POINTER: Mutex<()> = Mutex::new(());
     if std::env::var_os("POSEWRIGHT_WINDOW_TEST").is_none() {
         eprintln!("left out: it drives a real pointer. `cargo xtask test` runs it on a display of its own.");
-        return;
+        return None;
     }
+    Some(POINTER.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+#[test]
+fn a_pose_is_made_by_hand_saved_and_opened_again() {
+    let Some(_display) = display() else { return };
     let folder = tempfile::tempdir().unwrap();
     let window = Window::open(folder.path());
     let first = window.picture();
@@ -233,6 +242,37 @@ fn a_pose_is_made_by_hand_saved_and_opened_again() {
         sleep(Duration::from_millis(50));
     };
     assert!(status.success(), "{status}");
+}
+
+#[test]
+fn a_killed_program_offers_the_last_committed_pose() {
+    let Some(_display) = display() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let mut dragged = Vec::new();
+    for _ in 0..2 {
+        let mut window = Window::open(folder.path());
+        let map = window.map().unwrap();
+        if let Some(last) = dragged.last() {
+            window.click(center(&map, "Button", "Open it"));
+            window.until("the pose of before", |map| value(map, ELBOW) == *last);
+        }
+        let map = window.at_rest();
+        window.drag(center(&map, "Slider", ELBOW), [20.0, 0.0]);
+        dragged.push(value(&window.at_rest(), ELBOW));
+        // Every committed gesture is on disk within two seconds.
+        sleep(Duration::from_secs(2));
+        window.child.kill().unwrap();
+        window.child.wait().unwrap();
+        std::fs::remove_file(&window.map_path).unwrap();
+    }
+    assert!(dragged[1] > dragged[0] + 5.0, "{dragged:?}");
+    let window = Window::open(folder.path());
+    window.click(center(&window.map().unwrap(), "Button", "Throw it away"));
+    window.until("the standing pose", |map| control(map, "Button", "Open it").is_none());
+    assert!(value(&window.at_rest(), ELBOW) < dragged[0]);
+    let kept = std::fs::read_dir(folder.path().join("data/posewright/recovery")).unwrap();
+    let poses = kept.flatten().filter(|e| e.path().to_string_lossy().ends_with("pose.ron")).count();
+    assert_eq!(poses, 0, "what is thrown away is gone");
 }
 
 #[test]

@@ -46,6 +46,7 @@ pub fn run(session: Session, ui_map: Option<PathBuf>) -> Result<(), Failure> {
         count: 0,
     };
     event_loop.run_app(&mut frames).map_err(|e| Failure::NoScreen(format!("the window failed: {e}")))?;
+    frames.session.end();
     frames.failure.map_or(Ok(()), Err)
 }
 
