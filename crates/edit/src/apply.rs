@@ -7,6 +7,7 @@ use rig::{
 };
 
 use crate::editor::{Document, Outcome};
+use crate::telling::words;
 use crate::{At, By, Command, Files, Goal, Hold, Rejected};
 
 /// A document after a command, and what is to be said of it.
@@ -185,10 +186,11 @@ fn missed(figure: &Figure, document: &Document, goal: Option<(Limb, DVec3)>) -> 
 fn message(command: &Command, clamped: bool, missed: &[(Limb, f64)]) -> String {
     let mut message = command.told();
     for (limb, off) in missed {
-        message += &format!("; {} is {:.1} mm off its target", limb.name(), off * 1000.0);
+        message += &format!("; {} is {:.1} mm off its target", words(limb.name()), off * 1000.0);
     }
     if clamped && missed.is_empty() {
         message += "; stopped by a range";
     }
-    message
+    let mut letters = message.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -34,21 +34,27 @@ impl Command {
         };
         match self {
             Command::Turn { joint, dof, degrees, by } => {
-                format!("Turned {joint} {} {}", dof.name(), angle(*degrees, *by))
+                format!("Turned {} {} {}", words(joint.name()), dof.name(), angle(*degrees, *by))
             }
-            Command::Reach { limb, to: Goal::Here } => format!("{} stays", limb.name()),
-            Command::Reach { limb, .. } => format!("{} reached", limb.name()),
+            Command::Reach { limb, to: Goal::Here } => format!("{} stays", words(limb.name())),
+            Command::Reach { limb, .. } => format!("{} reached", words(limb.name())),
             Command::Elevate { limb, degrees, by } => {
-                format!("Elevated {} {}", limb.name(), angle(*degrees, *by))
+                format!("Elevated {} {}", words(limb.name()), angle(*degrees, *by))
             }
             Command::TurnInContact { limb, dof, degrees, by } => {
-                format!("Turned {} in contact, {} {}", limb.name(), dof.name(), angle(*degrees, *by))
+                format!("Turned {} in contact, {} {}", words(limb.name()), dof.name(), angle(*degrees, *by))
             }
-            Command::Flip { limb } => format!("Flipped {}", limb.name()),
-            Command::Articulate { limb, .. } => format!("Chose another articulator for {}", limb.name()),
-            Command::Keep { limb, contact: Hold::Free, .. } => format!("{} let go", limb.name()),
-            Command::Keep { limb, contact: Hold::Point, .. } => format!("{} holds its point", limb.name()),
-            Command::Keep { limb, contact: Hold::Planted, .. } => format!("{} is planted", limb.name()),
+            Command::Flip { limb } => format!("Flipped {}", words(limb.name())),
+            Command::Articulate { limb, .. } => {
+                format!("Chose another articulator for {}", words(limb.name()))
+            }
+            Command::Keep { limb, contact: Hold::Free, .. } => format!("{} let go", words(limb.name())),
+            Command::Keep { limb, contact: Hold::Point, .. } => {
+                format!("{} holds its point", words(limb.name()))
+            }
+            Command::Keep { limb, contact: Hold::Planted, .. } => {
+                format!("{} is planted", words(limb.name()))
+            }
             Command::MoveHips { .. } => "Moved the hips".to_owned(),
             Command::Place { .. } => "Placed the figure".to_owned(),
             Command::AimSpine { .. } => "Aimed the spine".to_owned(),
@@ -66,4 +72,16 @@ impl Command {
     pub fn text(&self) -> String {
         ron::to_string(self).unwrap_or_default()
     }
+}
+
+/// A bone's or limb's name as words: "leftUpperArm" is "left upper arm".
+pub(crate) fn words(name: &str) -> String {
+    let mut words = String::with_capacity(name.len() + 4);
+    for letter in name.chars() {
+        if letter.is_uppercase() {
+            words.push(' ');
+        }
+        words.extend(letter.to_lowercase());
+    }
+    words
 }

@@ -121,7 +121,8 @@ impl LimbRig {
     /// foremost; + moves the hinge outward.
     pub fn reported(&self, elevation: f64) -> f64 {
         let turned = if self.limb.is_arm() { elevation - std::f64::consts::PI } else { -elevation };
-        wrapped(turned).to_degrees()
+        // Adding zero makes a plain zero of a negative one.
+        wrapped(turned).to_degrees() + 0.0
     }
 
     /// The elevation of a reported one, radians.
