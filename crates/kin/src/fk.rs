@@ -45,15 +45,19 @@ pub enum FkError {
 /// before the fault are written.
 pub fn fk(root: Frame, links: impl IntoIterator<Item = Link>, out: &mut [Frame]) -> Result<usize, FkError> {
     let mut count = 0;
+    // Most joints are carried by the one before: kept at hand, it need not come back from memory.
+    let mut last = root;
     for link in links {
         let (done, rest) = out.split_at_mut(count);
         let frames = done.len();
         let slot = rest.first_mut().ok_or(FkError::Short { frames })?;
         let carrier = match link.carrier {
-            None => &root,
-            Some(carrier) => done.get(carrier).ok_or(FkError::Carrier { link: count, carrier })?,
+            None => root,
+            Some(carrier) if count.checked_sub(1) == Some(carrier) => last,
+            Some(carrier) => *done.get(carrier).ok_or(FkError::Carrier { link: count, carrier })?,
         };
-        *slot = carrier.then(Frame::new(link.rotation, link.offset));
+        last = carrier.then(Frame::new(link.rotation, link.offset));
+        *slot = last;
         count += 1;
     }
     Ok(count)

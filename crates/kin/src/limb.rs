@@ -156,8 +156,7 @@ impl Limb {
             Carrier::Swing { base } => arc(DVec3::Y, base),
             Carrier::Spherical => DQuat::IDENTITY,
         };
-        let rest = (about_y * to_y).normalize();
-        Ok(Limb { hinge_at_rest, axis, carrier, base_from_y, rest, side, upper })
+        Ok(Limb { hinge_at_rest, axis, carrier, base_from_y, rest: about_y * to_y, side, upper })
     }
 
     /// The textbook limb: upper segment along +y, hinge axis +x.

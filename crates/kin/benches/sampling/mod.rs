@@ -5,9 +5,6 @@ use std::time::Duration;
 
 use criterion::{Criterion, SamplingMode};
 
-/// What the numbers are the time of.
-const GROUP: &str = "one";
-
 /// The bytes that the inputs of one benchmark may take: many different ones, so that no branch predictor learns
 /// them by heart, but not so many that the time is that of a cold memory.
 const INPUT_BYTES: usize = 128 << 10;
@@ -27,7 +24,7 @@ pub fn each<T, R>(c: &mut Criterion, name: &str, mut make: impl FnMut() -> T, ru
     let many = (INPUT_BYTES / size_of::<T>()).min(512);
     let inputs: Vec<T> = (0..many).map(|_| make()).collect();
     let mut at = 0;
-    let mut group = c.benchmark_group(GROUP);
+    let mut group = c.benchmark_group(env!("CARGO_PKG_NAME"));
     group.sampling_mode(SamplingMode::Flat);
     group.bench_function(name, |b| {
         b.iter(|| {
