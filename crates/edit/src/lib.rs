@@ -2,6 +2,7 @@
 
 mod apply;
 mod command;
+mod drag;
 mod editor;
 mod files;
 mod grab;
@@ -12,6 +13,7 @@ mod script;
 mod telling;
 
 pub use command::{At, By, Command, Goal, Hold};
+pub use drag::{Axis, Constraint, Drag, Modifiers};
 pub use editor::{Document, Editor, Outcome, Request};
 pub use files::{Files, NoFiles};
 pub use grab::{Grab, Handle};
