@@ -5,7 +5,7 @@ mod dialogs;
 pub mod disk;
 pub mod failure;
 pub mod keepsafe;
-mod labels;
+pub mod labels;
 pub mod load;
 mod number;
 mod painter;
