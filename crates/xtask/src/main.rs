@@ -5,6 +5,7 @@ mod check;
 mod display;
 mod launch;
 mod machine;
+mod pictures;
 mod sculpt;
 mod stages;
 
@@ -19,6 +20,7 @@ Usage: cargo xtask <COMMAND>
   test                   every test: units, documents, pictures, the window on a display of its own
   ci                     formatting, lints and documentation, then the tests
   sculpt [--preview DIR] make the shipped figure anew
+  pictures               make the pictures of the README and the guide anew
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";
 
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
         ("test", []) => check::test(),
         ("ci", []) => check::ci(),
         ("sculpt", args) => sculpt::run(args),
+        ("pictures", []) => pictures::run(),
         ("help" | "--help" | "-h", _) => {
             println!("{USAGE}");
             Ok(())

@@ -86,9 +86,10 @@ fn mannequin() -> Figure {
     interchange::figure::mannequin().expect("the mannequin is whole")
 }
 
-/// The fenced blocks of that kind in the conventions and the README, at least one.
+/// The fenced blocks of that kind in the conventions, the README and the guide, at least one.
 fn examples(kind: &str) -> Vec<String> {
-    let (text, fence) = (conventions() + &read("README.md"), format!("```{kind}\n"));
+    let fence = format!("```{kind}\n");
+    let text = conventions() + &read("README.md") + &read("docs/guide/files.md");
     let blocks = text.split(&fence).skip(1).filter_map(|rest| rest.split("```").next());
     let found: Vec<_> = blocks.map(str::to_owned).collect();
     assert!(!found.is_empty(), "no example of kind {kind}");
