@@ -326,11 +326,15 @@ const HELP: [(&str, &[(&str, &str)]); 4] = [
     (
         "In the picture",
         &[
-            ("Drag empty space", "turn the view, with any button"),
+            ("Drag the figure", "what you grab follows the pointer"),
+            ("Drag a limb's target", "reach: shoulder and elbow, or hip and knee, follow"),
+            ("X, Y, Z while dragging", "along that axis; with Shift in the plane across it; again: freely"),
+            ("Shift, Ctrl while dragging", "a tenth as far; by whole centimetres"),
+            ("Esc or right click while dragging", "as if the drag had never been"),
+            ("Click the figure or a joint", "choose it"),
+            ("Drag empty space", "turn the view; with the other buttons anywhere"),
             ("Shift + drag", "slide the view"),
             ("Wheel", "nearer and farther, to the pointer"),
-            ("Click a joint", "choose it"),
-            ("Drag a limb's target", "reach: shoulder and elbow, or hip and knee, follow"),
         ],
     ),
     (

@@ -16,7 +16,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
         ui.horizontal_centered(|ui| {
             let status = session.status();
             let color = if status.fault { theme::WARNING } else { theme::TEXT };
-            let mut words = status.message.clone();
+            let mut words = session.viewport.telling().unwrap_or_else(|| status.message.clone());
             if status.clamped {
                 words.push_str(if words.is_empty() {
                     "Stopped short by a range"
@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
                 });
             }
             if words.is_empty() {
-                words = "Drag a slider, a target, or the view. F1 explains.".to_owned();
+                words = "Drag the figure, a slider, or the view. F1 explains.".to_owned();
                 text(ui, words, theme::FAINT_TEXT);
             } else {
                 text(ui, words, color);

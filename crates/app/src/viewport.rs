@@ -1,22 +1,25 @@
 //! The picture of the figure and what the pointer does in it.
 //!
-//! Empty space turns the view; a joint is chosen by a click; a limb's target is dragged in the plane of the view. Every
-//! change of the pose leaves as a request.
+//! The figure is grabbed by its skin or by a limb's target and dragged; empty space turns the view; a click chooses a
+//! joint. Every change of the pose leaves as a request.
 
+mod grip;
 mod marks;
 mod pick;
 mod picture;
+mod skin;
 
-use edit::{Editor, Request};
-use egui::{Key, PointerButton, Pos2, Rect, Sense, Ui};
+use edit::{Axis, Constraint, Editor, Hit, Request};
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2, Vec3};
-use rig::{Bone, Camera, Limb, Projection, View};
+use rig::{Bone, Camera, Projection, Ray, View};
 
+use grip::Grip;
 use pick::Picked;
 use picture::Picture;
 pub use picture::install;
+use skin::Skin;
 
-use crate::reaching::reach;
 use crate::{labels, theme};
 
 /// How the figure is looked at, and the gesture in the picture.
@@ -30,6 +33,10 @@ pub struct Viewport {
     unframed: bool,
     /// What the pointer holds.
     held: Option<Held>,
+    /// The bone whose skin lights up.
+    hovered: Option<Bone>,
+    /// The figure's skin, ready for picking.
+    skin: Option<Skin>,
     /// Where the picture was last, points.
     rect: Rect,
     /// When the wheel last turned, seconds of the context's clock.
@@ -37,14 +44,16 @@ pub struct Viewport {
 }
 
 /// What a drag in the picture moves.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 enum Held {
     /// The view, turned about its target.
     Orbit,
     /// The view, slid.
     Pan,
-    /// The target of a limb: where it was, and where the pointer took hold of it.
-    Target { limb: Limb, first: DVec3, from: Vec2 },
+    /// A part of the figure, or a limb's target.
+    Figure(Box<Grip>),
+    /// Nothing any more: the drag was taken back, and the button is still down.
+    Nothing,
 }
 
 /// What the picture asks for.
@@ -68,6 +77,8 @@ impl Default for Viewport {
             marks: true,
             unframed: true,
             held: None,
+            hovered: None,
+            skin: None,
             rect: Rect::from_min_size(Pos2::ZERO, egui::vec2(1.0, 1.0)),
             wheeled_at: f64::NEG_INFINITY,
         }
@@ -86,19 +97,32 @@ impl Viewport {
         let response = ui.interact(rect, id, Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Figure"));
         let mut asked = Asked::default();
-        let hovered = response.hover_pos().and_then(|at| self.pick(editor, at));
         self.drag(ui, &response, editor, &mut asked);
         self.wheel(ui, &response);
         if response.clicked_by(PointerButton::Primary) {
-            let picked = response.interact_pointer_pos().and_then(|at| self.pick(editor, at));
-            asked.chosen = Some(picked.map(|picked| picked.bone(editor)));
+            asked.chosen = response.interact_pointer_pos().map(|at| self.clicked(editor, at));
         }
+        let mark = response.hover_pos().filter(|_| self.held.is_none()).and_then(|at| self.pick(editor, at));
+        self.light_up(ui, editor, response.hover_pos(), mark);
         let moving = lean && self.is_moving(ui, editor);
         self.paint(ui, editor, selected, moving);
-        if let Some(picked) = hovered.filter(|_| self.held.is_none()) {
+        if let Some(picked) = mark {
             self.paint_hovered(ui, editor, picked);
         }
         asked
+    }
+
+    /// The bone whose skin is lit: the one under the pointer, or the one that is dragged.
+    pub fn hovered(&self) -> Option<Bone> {
+        self.hovered
+    }
+
+    /// What a drag of the figure is doing and which keys change it; `None` while there is none.
+    pub fn telling(&self) -> Option<String> {
+        match &self.held {
+            Some(Held::Figure(grip)) => Some(grip.telling()),
+            _ => None,
+        }
     }
 
     /// Seen from a named side, with the same target and lens.
@@ -155,54 +179,100 @@ impl Viewport {
         self.marks.then(|| pick::at(&self.camera, self.size(), editor, self.inside(at)))?
     }
 
+    fn ray(&self, at: Pos2) -> Ray {
+        self.camera.ray(self.inside(at), self.size())
+    }
+
+    fn hit(&mut self, editor: &Editor, at: Pos2) -> Option<Hit> {
+        let ray = self.ray(at);
+        Skin::follow(&mut self.skin, editor).hit(editor, ray)
+    }
+
+    /// The bone that a click chooses: that of the mark there, or of the skin.
+    fn clicked(&mut self, editor: &Editor, at: Pos2) -> Option<Bone> {
+        let marked = self.pick(editor, at).map(|picked| picked.bone(editor));
+        marked.or_else(|| self.hit(editor, at).map(|hit| hit.bone))
+    }
+
+    /// Finds the bone whose skin a drag from here would take, or has taken.
+    fn light_up(&mut self, ui: &Ui, editor: &Editor, at: Option<Pos2>, mark: Option<Picked>) {
+        self.hovered = match (&self.held, mark) {
+            (Some(Held::Figure(grip)), _) => {
+                ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+                grip.bone()
+            }
+            (Some(_), _) | (None, Some(Picked::Target(_))) => None,
+            (None, _) => {
+                let bone = at.and_then(|at| self.hit(editor, at)).map(|hit| hit.bone);
+                if bone.is_some() {
+                    ui.ctx().set_cursor_icon(CursorIcon::Grab);
+                }
+                bone
+            }
+        };
+    }
+
     fn drag(&mut self, ui: &Ui, response: &egui::Response, editor: &Editor, asked: &mut Asked) {
+        let before = self.telling();
         if response.drag_started() {
             self.held = Some(self.take_hold(ui, editor));
         }
         if !response.dragged() {
             self.held = None;
-            return;
         }
         let delta = response.drag_delta();
-        match self.held {
+        match &mut self.held {
             Some(Held::Orbit) => {
                 self.camera.orbit(-delta.x * ORBIT_RAD_PER_POINT, delta.y * ORBIT_RAD_PER_POINT);
             }
             Some(Held::Pan) => self.camera.pan(Vec2::new(delta.x, delta.y), self.rect.height()),
-            Some(Held::Target { limb, first, from }) => {
-                if let Some(at) = response.interact_pointer_pos().filter(|_| delta != egui::Vec2::ZERO) {
-                    let goal = first + self.shift_at(first, self.inside(at) - from);
-                    asked.requests.push(Request::Preview(reach(editor, limb, goal)));
-                }
+            Some(Held::Figure(_)) => {
+                asked.requests.extend(self.drag_figure(ui, editor, response.interact_pointer_pos()));
             }
-            None => {}
+            Some(Held::Nothing) | None => {}
+        }
+        if self.telling() != before {
+            // The status line has been drawn already.
+            ui.ctx().request_repaint();
         }
     }
 
-    /// What lies under the place where the button went down.
-    fn take_hold(&self, ui: &Ui, editor: &Editor) -> Held {
+    fn drag_figure(&mut self, ui: &Ui, editor: &Editor, at: Option<Pos2>) -> Option<Request> {
+        let ray = self.ray(at?);
+        let Some(Held::Figure(grip)) = &mut self.held else { return None };
+        let cancelled = ui.input(|i| i.pointer.button_pressed(PointerButton::Secondary));
+        if cancelled || grip.is_over(editor) {
+            self.held = Some(Held::Nothing);
+            return cancelled.then_some(Request::Cancel);
+        }
+        for constraint in constraints(ui) {
+            grip.toggle(constraint);
+        }
+        let Modifiers { shift, command, .. } = ui.input(|i| i.modifiers);
+        grip.follow(editor, ray, edit::Modifiers { slow: shift, snap: command })
+    }
+
+    /// What lies under the place where the button went down: a target comes before the skin, the skin before space.
+    fn take_hold(&mut self, ui: &Ui, editor: &Editor) -> Held {
         let (shift, primary, origin) =
             ui.input(|i| (i.modifiers.shift, i.pointer.primary_down(), i.pointer.press_origin()));
-        let picked = origin.filter(|_| primary && !shift).and_then(|at| self.pick(editor, at));
-        match (picked, origin) {
-            (Some(Picked::Target(limb)), Some(at)) => {
-                let first = editor.evaluation().limbs[limb.index()].target;
-                Held::Target { limb, first, from: self.inside(at) }
-            }
-            _ if shift => Held::Pan,
-            _ => Held::Orbit,
+        if shift {
+            return Held::Pan;
         }
-    }
-
-    /// A shift in the picture as one in the world, in the plane of the view at that point's depth; metres.
-    fn shift_at(&self, point: DVec3, shift: Vec2) -> DVec3 {
-        let scale = self.camera.metres_per_pixel(point.as_vec3(), self.rect.height());
-        let axes = self.camera.axes();
-        ((axes.x_axis * shift.x - axes.y_axis * shift.y) * scale).as_dvec3()
+        let Some(at) = origin.filter(|_| primary) else { return Held::Orbit };
+        let (camera, ray) = (self.camera, self.ray(at));
+        if let Some(Picked::Target(limb)) = self.pick(editor, at) {
+            return Held::Figure(Box::new(Grip::of_target(editor, limb, &camera, ray)));
+        }
+        match self.hit(editor, at) {
+            Some(hit) => Held::Figure(Box::new(Grip::of_skin(editor, &hit, &camera, ray))),
+            None => Held::Orbit,
+        }
     }
 
     fn wheel(&mut self, ui: &Ui, response: &egui::Response) {
-        if !response.contains_pointer() {
+        // A dragged point is where the pointer is only as long as the camera stays.
+        if !response.contains_pointer() || matches!(self.held, Some(Held::Figure(_))) {
             return;
         }
         let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
@@ -215,7 +285,7 @@ impl Viewport {
 
     /// The point of the world under the pointer, in the plane of the view through the camera's target.
     fn under(&self, at: Pos2) -> Vec3 {
-        let ray = self.camera.ray(self.inside(at), self.size());
+        let ray = self.ray(at);
         let toward = self.camera.axes().z_axis;
         let depth = (self.camera.target - ray.origin).dot(toward) / ray.direction.dot(toward);
         ray.origin + ray.direction * depth
@@ -227,8 +297,13 @@ impl Viewport {
 
     fn paint(&self, ui: &Ui, editor: &Editor, selected: Option<Bone>, lean: bool) {
         let scale = ui.ctx().pixels_per_point();
-        let overlay = marks::of(editor, selected, self.marks, scale);
-        let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, selected, lean);
+        let mut overlay = marks::of(editor, selected, self.marks, scale);
+        if let Some(Held::Figure(grip)) = &self.held {
+            let (first, axes) = grip.guides();
+            marks::guides(&mut overlay, first, &axes, self.camera.distance, scale);
+        }
+        let lit = picture::Lit { selected, hovered: self.hovered };
+        let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, lit, lean);
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
     }
 
@@ -247,13 +322,28 @@ impl Viewport {
             Rect::from_min_size(at + egui::vec2(12.0, -9.0), text.size()).expand2(egui::vec2(5.0, 2.0));
         painter.rect_filled(place, 3.0, egui::Color32::from_black_alpha(190));
         painter.galley(place.min + egui::vec2(5.0, 2.0), text, egui::Color32::WHITE);
-        ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
+        ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
     }
+}
+
+/// Axes and planes whose keys were pressed in this frame; a key that repeats counts once.
+fn constraints(ui: &Ui) -> Vec<Constraint> {
+    let constraint = |event: &Event| {
+        let Event::Key { key, pressed: true, repeat: false, modifiers, .. } = event else { return None };
+        let axis = match key {
+            Key::X => Axis::X,
+            Key::Y => Axis::Y,
+            Key::Z => Axis::Z,
+            _ => return None,
+        };
+        Some(if modifiers.shift { Constraint::Across(axis) } else { Constraint::Along(axis) })
+    };
+    ui.input(|i| i.events.iter().filter_map(constraint).collect())
 }
 
 /// Keys that change the view: number row and pad, Home, F.
 pub fn keys(ui: &Ui, viewport: &mut Viewport, editor: &Editor, selected: Option<Bone>) {
-    if ui.ctx().text_edit_focused() {
+    if ui.ctx().text_edit_focused() || viewport.telling().is_some() {
         return;
     }
     let views = [

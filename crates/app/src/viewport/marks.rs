@@ -1,7 +1,7 @@
 //! What is drawn over the figure: joints, articulators and targets.
 
-use edit::Editor;
-use glam::Vec3;
+use edit::{Axis, Editor};
+use glam::{DVec3, Vec3};
 use render::{Color, Layer, Line, Marker, Overlay};
 use rig::{Bone, Contact, Limb, Part, Reacher};
 
@@ -9,6 +9,8 @@ use crate::theme;
 
 /// A miss smaller than this is none, metres.
 const MET_M: f64 = 0.0005;
+/// How far a guide goes to either side, as a share of the camera's distance: not as far as the eye.
+const GUIDE_SHARE: f32 = 0.5;
 
 /// The marks of a pose; sizes grow with the pixels of a point. A figure without a skin shows its bones as lines.
 pub fn of(editor: &Editor, selected: Option<Bone>, marks: bool, scale: f32) -> Overlay {
@@ -103,6 +105,25 @@ fn reach(overlay: &mut Overlay, editor: &Editor, limb: Limb, scale: f32) {
     }
     if held || missed {
         cross(overlay, target, Line { dash_px: 0.0, ..line });
+    }
+}
+
+/// The lines along which a drag may go, through the point where it began.
+pub fn guides(overlay: &mut Overlay, first: DVec3, axes: &[Axis], camera_distance: f32, scale: f32) {
+    for axis in axes {
+        let reach = axis.vector() * f64::from(GUIDE_SHARE * camera_distance);
+        overlay.lines.push(Line {
+            from: (first - reach).as_vec3(),
+            to: (first + reach).as_vec3(),
+            color: match axis {
+                Axis::X => [236, 92, 84, 220],
+                Axis::Y => [126, 200, 92, 220],
+                Axis::Z => [88, 150, 246, 220],
+            },
+            width_px: 1.5 * scale,
+            dash_px: 0.0,
+            layer: Layer::OnTop,
+        });
     }
 }
 

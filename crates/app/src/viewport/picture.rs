@@ -17,7 +17,17 @@ pub struct Picture {
     palette: Palette,
     has_skin: bool,
     selected: Vec<Bone>,
+    hovered: Vec<Bone>,
     overlay: Overlay,
+}
+
+/// Bones whose skin is tinted.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Lit {
+    /// The chosen one.
+    pub selected: Option<Bone>,
+    /// The one under the pointer.
+    pub hovered: Option<Bone>,
 }
 
 impl Picture {
@@ -28,7 +38,7 @@ impl Picture {
         rect: Rect,
         pixels_per_point: f32,
         overlay: Overlay,
-        selected: Option<Bone>,
+        lit: Lit,
         lean: bool,
     ) -> Picture {
         let rest = crate::picture::rest_positions(editor.figure());
@@ -40,7 +50,8 @@ impl Picture {
             // Frames of the world in place of the figure's: the figure's transform is the identity then.
             palette: Palette::new(&editor.evaluation().frames, &rest),
             has_skin: editor.figure().skin.is_some(),
-            selected: selected.into_iter().collect(),
+            selected: lit.selected.into_iter().collect(),
+            hovered: lit.hovered.into_iter().collect(),
             overlay,
         }
     }
@@ -72,7 +83,11 @@ impl PictureGpu {
         if self.drawn.as_ref() == Some(picture) {
             return;
         }
-        let figure = FigureView { selected: &picture.selected, ..FigureView::new(&picture.palette) };
+        let figure = FigureView {
+            selected: &picture.selected,
+            hovered: &picture.hovered,
+            ..FigureView::new(&picture.palette)
+        };
         let figures = if picture.has_skin { std::slice::from_ref(&figure) } else { &[] };
         let scene = Scene {
             look: picture.look,

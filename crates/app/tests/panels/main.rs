@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod files;
+mod grabbing;
 mod hand;
 mod looks;
 mod parts;
