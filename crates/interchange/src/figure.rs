@@ -10,7 +10,8 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use kin::Cone;
 use rig::{
-    Angles, Articulation, Articulator, Bone, Dof, Figure, Handshape, Joint, Limb, Mesh, Part, Side, Skeleton,
+    Angles, Articulation, Articulator, Bone, Dof, Figure, Handshape, Joint, Limb, LimbRigs, Mesh, Part, Side,
+    Skeleton,
 };
 
 use crate::{Spot, glb, urdf};
@@ -105,7 +106,7 @@ fn read(text: &str, fetch: Fetch<'_>, with_skin: bool) -> Result<(Figure, Vec<St
         name: reader.name()?,
         articulators: reader.articulators(&skeleton)?,
         handshapes: reader.handshapes(&skeleton, &mut warnings)?,
-        swing_bases: reader.swing_bases()?,
+        limbs: LimbRigs::new(&skeleton, reader.swing_bases()?),
         skin: if with_skin { reader.skin(&skeleton, fetch)? } else { None },
         skeleton,
     };

@@ -344,7 +344,7 @@ fn what_is_left_out_takes_its_twin_or_its_default() {
     let skinless = text.replace("\"mannequin.glb\"", "None");
     let mut fetch = |_: &str| Ok(URDF.as_bytes().to_vec());
     let (figure, _) = figure::load(&skinless, &mut fetch).unwrap();
-    let [left_arm, right_arm, left_leg, right_leg] = figure.swing_bases;
+    let [left_arm, right_arm, left_leg, right_leg] = rig::Limb::ALL.map(|limb| figure.limbs.swing_base(limb));
     assert!(left_arm.x > 0.0 && left_arm.x == -right_arm.x);
     assert!(right_leg.x > 0.0 && left_leg.x == -right_leg.x);
     let (text, _) = changed(&skinless, "\"leftLittleDistal\": (flexion: 20.0),", "");

@@ -102,7 +102,7 @@ fn the_right_side_mirrors_the_left() {
         }
     }
     for (left, right) in [(Limb::LeftArm, Limb::RightArm), (Limb::LeftLeg, Limb::RightLeg)] {
-        let base = |limb: Limb| figure.swing_bases[limb.index()];
+        let base = |limb: Limb| figure.limbs.swing_base(limb);
         assert!((base(right) - mirrored(base(left))).length() < 1e-12);
         for (name, a) in &figure.articulators[left.index()] {
             let b = figure.articulators[right.index()][name];

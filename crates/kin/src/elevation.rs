@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
-use crate::{Cone, Degenerate, Interval, Limb, LimbGoal, LimbState, swing_twist, wrapped};
+use crate::{Cone, Degenerate, Interval, Limb, LimbGoal, swing_twist, wrapped};
 
 /// The range of a root ball joint, in limb axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -98,17 +98,18 @@ impl Limb {
         feasible(self.frame_of(self.bent(in_hinge, hinge), direction), range)
     }
 
-    /// [`Limb::recover`] and [`Limb::elevations`] in one, for a limb as it is: they share most of the work.
+    /// [`Limb::recover`] and [`Limb::elevations`] in one, for a limb as it is, whose articulator is at a known
+    /// place of the limb frame, metres: needs no trigonometry of the joints.
     ///
     /// # Errors
     /// As [`Limb::recover`].
-    pub fn recover_within(
+    pub fn read_within(
         &self,
-        in_hinge: DVec3,
-        state: &LimbState,
+        root: DQuat,
+        articulator: DVec3,
         range: &RootRange,
     ) -> Result<(LimbGoal, Elevations), Degenerate> {
-        let (goal, frame) = self.recovered(in_hinge, state)?;
+        let (goal, frame) = self.read(root, articulator)?;
         Ok((goal, feasible(frame, range)))
     }
 }

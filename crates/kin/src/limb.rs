@@ -263,30 +263,30 @@ impl Limb {
     /// # Errors
     /// An articulator at the root joint; numbers that are not finite.
     pub fn recover(&self, in_hinge: DVec3, state: &LimbState) -> Result<LimbGoal, Degenerate> {
-        self.recovered(in_hinge, state).map(|(goal, _)| goal)
-    }
-
-    /// As [`Limb::recover`], with what [`Limb::frame_of`] gives on the way.
-    pub(crate) fn recovered(
-        &self,
-        in_hinge: DVec3,
-        state: &LimbState,
-    ) -> Result<(LimbGoal, [DQuat; 2]), Degenerate> {
-        if !usable(in_hinge) || !state.hinge.is_finite() || !state.root.is_finite() {
+        if !usable(in_hinge) || !state.hinge.is_finite() {
             return Err(Degenerate::NotFinite);
         }
-        let turn = state.hinge.sin_cos();
-        let bent = self.turned(in_hinge, turn);
-        let target = self.placed(state.root, bent);
-        let distance = target.length();
-        if distance <= 1e-12 || !distance.is_finite() {
+        let articulator = self.placed(state.root, self.bent(in_hinge, state.hinge));
+        self.read(state.root, articulator).map(|(goal, _)| goal)
+    }
+
+    /// As [`Limb::recover`] for an articulator whose place is known: `articulator` in the limb frame, metres.
+    /// With what [`Limb::frame_of`] gives on the way.
+    pub(crate) fn read(&self, root: DQuat, articulator: DVec3) -> Result<(LimbGoal, [DQuat; 2]), Degenerate> {
+        if !usable(articulator) || !root.is_finite() {
+            return Err(Degenerate::NotFinite);
+        }
+        let distance = articulator.length();
+        if distance <= 1e-12 {
             return Err(Degenerate::ArticulatorAtRoot);
         }
-        let [carrier, inner] = self.frame_of(bent, target / distance);
-        let about_y = carrier.conjugate() * state.root * inner.conjugate();
+        let bent = self.rest * (root.conjugate() * articulator);
+        let [carrier, inner] = self.frame_of(bent, articulator / distance);
+        let about_y = carrier.conjugate() * root * inner.conjugate();
         let elevation = wrapped(2.0 * about_y.y.atan2(about_y.w));
-        let branch = branch(self.sine(in_hinge, turn));
-        Ok((LimbGoal { target, elevation, branch }, [carrier, inner]))
+        let (along, beside) = (bent.y - self.upper, bent.z);
+        let branch = branch(beside / length(along, beside));
+        Ok((LimbGoal { target: articulator, elevation, branch }, [carrier, inner]))
     }
 
     /// The branch on which a hinge angle lies; a limb that is straight to its articulator, give or take

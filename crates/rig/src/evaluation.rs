@@ -3,7 +3,6 @@
 use glam::{DQuat, DVec3};
 use kin::{Frame, Link, RootRange};
 
-use crate::limb_rig::LimbRig;
 use crate::{Bone, Contact, Figure, Frames, Limb, Place, Pose, Space};
 
 /// Derived from figure and pose, never stored.
@@ -115,18 +114,20 @@ fn view(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb, ranges: bool)
         elevation_range: None,
         branch: 1,
     };
-    let Some(rig) = LimbRig::new(figure, limb) else { return empty };
-    let about = rig.about_or(figure, pose, at);
-    let state = rig.state(figure, pose);
+    let Some(rig) = figure.limbs.get(limb) else { return empty };
+    // A planted end elevates about the line to its own joint.
+    let planted = matches!(contact, Contact::Planted { .. }) && at.bone != limb.parts().hinge;
+    let about = if planted { frames[limb.parts().end].position } else { articulator };
+    let about_in_limb = rig.target_in_limb(frames[rig.base].inverse().point(about));
     let limits = if ranges { rig.ranges.root } else { RootRange::FREE };
-    match rig.kin.recover_within(about, &state, &limits) {
+    match rig.kin.read_within(rig.root_in(frames), about_in_limb, &limits) {
         Ok((goal, feasible)) => LimbView {
             elevation: Some(rig.reported(goal.elevation)),
             elevation_range: rig.reported_range(&goal, &feasible),
             branch: goal.branch.sign() as i8,
             ..empty
         },
-        Err(_) => LimbView { branch: rig.kin.branch(about, state.hinge).sign() as i8, ..empty },
+        Err(_) => empty,
     }
 }
 

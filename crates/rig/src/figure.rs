@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use crate::{Angles, Bone, Limb, Mesh, Pose, Reacher, Skeleton};
+use crate::{Angles, Bone, Limb, LimbRigs, Mesh, Pose, Reacher, Skeleton};
 
 /// A point that can reach: fixed in the joint frame of a bone.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -29,9 +29,8 @@ pub struct Figure {
     pub articulators: [BTreeMap<String, Articulator>; Limb::ALL.len()],
     /// Handshapes by name.
     pub handshapes: BTreeMap<String, Handshape>,
-    /// Unit direction in figure axes, along which each limb's elevation has no singularity at rest;
-    /// in [`Limb::ALL`] order. The carrier's singular direction is its opposite.
-    pub swing_bases: [DVec3; Limb::ALL.len()],
+    /// The limbs, ready to solve.
+    pub limbs: LimbRigs,
     /// The skin, if the figure has one.
     pub skin: Option<Mesh>,
 }

@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use crate::contacts::{contact_order, hold_here, keep_contacts};
-use crate::limb_rig::LimbRig;
 use crate::reach::{Elevate, Grip};
 use crate::{Articulator, Bone, Contact, Figure, GestureError, Limb, Moved, Pose, Reacher, Space, frames};
 
@@ -211,7 +210,7 @@ pub(crate) fn finite(v: DVec3, what: &'static str) -> Result<(), GestureError> {
 /// # Errors
 /// The limb that lacks one.
 pub fn limb_parts_present(figure: &Figure, limb: Limb) -> Result<(), GestureError> {
-    LimbRig::new(figure, limb).map(|_| ()).ok_or(GestureError::NoLimb(limb))
+    figure.limbs.get(limb).map(|_| ()).ok_or(GestureError::NoLimb(limb))
 }
 
 /// Whether the figure has a bone, as an error if not.

@@ -43,6 +43,7 @@ pub use gesture_error::GestureError;
 pub use joint::{Angles, Articulation, Dof, Hinge, Joint};
 pub use kin::Frame;
 pub use limb::{Limb, LimbParts};
+pub use limb_rig::LimbRigs;
 pub use mesh::Mesh;
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
 pub use pose_file::{

@@ -5,12 +5,12 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use glam::{DQuat, DVec3};
 use kin::{Carrier, Cone, Elevations, Interval, LimbGoal, LimbRanges, LimbState, RootRange, wrapped};
 
-use crate::{Articulation, Articulator, Bone, Contact, Dof, Figure, Joint, Limb, Pose};
+use crate::{Articulation, Bone, Contact, Dof, Figure, Frames, Joint, Limb, Pose, Skeleton};
 
 /// One limb of a figure, ready to solve. Lengths and angles are those of the limb frame: x outward.
 ///
 /// A right limb is solved as the left limb of the figure's mirror image.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct LimbRig {
     pub limb: Limb,
     pub kin: kin::Limb,
@@ -22,21 +22,47 @@ pub(crate) struct LimbRig {
 }
 
 /// The limb's axes in its base's.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 struct Axes {
     base_from_limb: DQuat,
     mirrored: bool,
 }
 
+/// A skeleton's limbs, made ready to solve once.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LimbRigs {
+    swing_bases: [DVec3; Limb::ALL.len()],
+    rigs: [Option<LimbRig>; Limb::ALL.len()],
+}
+
+impl LimbRigs {
+    /// Makes the limbs ready. `swing_bases`, by [`Limb::index`], are unit directions in figure axes along which each
+    /// limb's elevation has no singularity at rest; the carrier's singular direction is the opposite.
+    ///
+    /// A limb that lacks a joint, or whose rest pose leaves it no plane to bend in, is left out: it can't reach.
+    pub fn new(skeleton: &Skeleton, swing_bases: [DVec3; Limb::ALL.len()]) -> LimbRigs {
+        let rigs = Limb::ALL.map(|limb| LimbRig::new(skeleton, swing_bases[limb.index()], limb));
+        LimbRigs { swing_bases, rigs }
+    }
+
+    /// The direction of a limb in which its elevation has no singularity.
+    pub fn swing_base(&self, limb: Limb) -> DVec3 {
+        self.swing_bases[limb.index()]
+    }
+
+    pub(crate) fn get(&self, limb: Limb) -> Option<&LimbRig> {
+        self.rigs[limb.index()].as_ref()
+    }
+}
+
 impl LimbRig {
     /// `None` if the figure lacks a joint of the limb, or its rest pose leaves the limb no plane to bend in.
-    pub fn new(figure: &Figure, limb: Limb) -> Option<LimbRig> {
+    fn new(skeleton: &Skeleton, swing_base: DVec3, limb: Limb) -> Option<LimbRig> {
         let parts = limb.parts();
-        let skeleton = &figure.skeleton;
         let (root, hinge) = (skeleton.joint(parts.root)?, skeleton.joint(parts.hinge)?);
         let axes = Axes::of(limb);
         let flexion = flexion(hinge)?;
-        let base = axes.point_in_limb(figure.swing_bases[limb.index()]);
+        let base = axes.point_in_limb(swing_base);
         let (knee, axis) = (axes.point_in_limb(hinge.offset), axes.axis_in_limb(flexion.axis));
         Some(LimbRig {
             limb,
@@ -57,6 +83,12 @@ impl LimbRig {
     pub fn point_in_base(&self, point: DVec3) -> DVec3 {
         let v = self.axes.base_from_limb * point;
         self.root_offset + if self.axes.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v }
+    }
+
+    /// The root's rotation, read off the pose's frames.
+    pub fn root_in(&self, frames: &Frames) -> DQuat {
+        let base_from_world = frames[self.base].rotation.conjugate();
+        self.axes.rotation_in_limb(base_from_world * frames[self.limb.parts().root].rotation)
     }
 
     /// The limb's joints, read off a pose.
@@ -103,11 +135,7 @@ impl LimbRig {
     /// The point about which the limb elevates: its articulator, or the end's joint where the end is
     /// planted and carries the articulator.
     pub fn about(&self, figure: &Figure, pose: &Pose) -> DVec3 {
-        self.about_or(figure, pose, figure.articulator(pose, self.limb))
-    }
-
-    /// As [`LimbRig::about`], given the articulator.
-    pub fn about_or(&self, figure: &Figure, pose: &Pose, at: Articulator) -> DVec3 {
+        let at = figure.articulator(pose, self.limb);
         let parts = self.limb.parts();
         let planted = matches!(pose.limb(self.limb).contact, Contact::Planted { .. });
         if planted && at.bone != parts.hinge {

@@ -32,7 +32,7 @@ impl<'a> Grip<'a> {
         limb: Limb,
         ranges: bool,
     ) -> Result<Grip<'a>, GestureError> {
-        let rig = LimbRig::new(figure, limb).ok_or(GestureError::NoLimb(limb))?;
+        let rig = *figure.limbs.get(limb).ok_or(GestureError::NoLimb(limb))?;
         let about = rig.about(figure, before);
         Grip::about(figure, before, rig, about, ranges)
     }
@@ -44,7 +44,7 @@ impl<'a> Grip<'a> {
         limb: Limb,
         ranges: bool,
     ) -> Result<Grip<'a>, GestureError> {
-        let rig = LimbRig::new(figure, limb).ok_or(GestureError::NoLimb(limb))?;
+        let rig = *figure.limbs.get(limb).ok_or(GestureError::NoLimb(limb))?;
         let at = figure.articulator(before, limb);
         let about = rig.in_hinge(figure, before, at.bone, at.at);
         Grip::about(figure, before, rig, about, ranges)
