@@ -174,7 +174,8 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
 fn known(line: &Line) -> Result<(), Failure> {
     match line.files.iter().find(|file| file.extension().is_none() && !file.exists()) {
         Some(word) => {
-            let message = format!("\"{}\" is neither a command nor a file; see `posewright --help`", word.display());
+            let message =
+                format!("\"{}\" is neither a command nor a file; see `posewright --help`", word.display());
             Err(Failure::Usage(message))
         }
         None => Ok(()),

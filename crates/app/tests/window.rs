@@ -155,6 +155,11 @@ fn value(map: &Value, label: &str) -> f64 {
     control(map, "Slider", label).and_then(|c| c["value"].as_f64()).unwrap_or(f64::NAN)
 }
 
+/// Where a joint is seen, pixels of the window.
+fn joint(map: &Value, bone: Bone) -> [f64; 2] {
+    std::array::from_fn(|i| map["joints"][bone.name()][i].as_f64().unwrap_or(f64::NAN))
+}
+
 fn saved_elbow(figure: &Figure, path: &Path) -> f64 {
     let patch = rig::parse_pose(&std::fs::read_to_string(path).unwrap()).unwrap();
     patch.onto(&figure.rest_pose()).angles(Bone::LeftLowerArm).flexion
@@ -194,6 +199,19 @@ fn a_pose_is_made_by_hand_saved_and_opened_again() {
     window.until("a typed elbow", |map| value(map, ELBOW) == 25.0);
     window.keys("ctrl+z");
     window.until("the elbow as dragged", |map| value(map, ELBOW) == dragged);
+    assert!(window.picture() == turned, "undo brings the same picture back");
+
+    // The forearm, grabbed by its skin halfway to the wrist: the elbow follows, and undo brings the same picture back.
+    let map = window.at_rest();
+    let (elbow, wrist) = (joint(&map, Bone::LeftLowerArm), joint(&map, Bone::LeftHand));
+    let forearm = std::array::from_fn(|i| (elbow[i] + wrist[i]) * 0.5);
+    window.drag(forearm, [25.0, -35.0]);
+    window.until("a forearm that moved", |map| {
+        let now = joint(map, Bone::LeftHand);
+        now[0] > wrist[0] + 10.0 && now[1] < wrist[1] - 10.0
+    });
+    assert!(window.picture() != turned, "a dragged forearm is seen");
+    window.keys("ctrl+z");
     assert!(window.picture() == turned, "undo brings the same picture back");
 
     // The view turns, the figure doesn't.

@@ -28,9 +28,7 @@ pub use eye::Eye;
 pub use fk::{FkError, Link, fk};
 pub use frame::Frame;
 pub use gaze::{Gaze, GazeSolution, GazeState};
-pub use limb::{
-    Branch, Degenerate, HingeSolution, Limb, LimbGoal, LimbSolution, LimbState, Span, wrapped,
-};
+pub use limb::{Branch, Degenerate, HingeSolution, Limb, LimbGoal, LimbSolution, LimbState, Span, wrapped};
 pub use range::{Cone, Interval};
 pub use reach::{LimbRanges, Reach, softened};
 pub use spine::{Bend, Column, ColumnSolution, ColumnState};

@@ -26,9 +26,7 @@ mod turn;
 mod turn_in_contact;
 
 pub use balance::balance;
-pub use blend::{
-    PosePatch, apply_patch, handshape, mirror, mirrored_patch, mirrored_pose, reset,
-};
+pub use blend::{PosePatch, apply_patch, handshape, mirror, mirrored_patch, mirrored_pose, reset};
 pub use bone::{Bone, Part, Side, nearest};
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Ray, View};
@@ -37,7 +35,8 @@ pub use evaluation::{Evaluation, LimbView, center_of_mass, evaluate, frames};
 pub use figure::{Articulator, Figure, Handshape};
 pub use frames::Frames;
 pub use gesture::{
-    Target, articulate, articulator_in, check_reacher, elevate, flip, keep, limb_parts_present, move_hips, place, reach,
+    Target, articulate, articulator_in, check_reacher, elevate, flip, keep, limb_parts_present, move_hips,
+    place, reach,
 };
 pub use gesture_error::GestureError;
 pub use joint::{Angles, Articulation, Dof, Hinge, Joint};
@@ -46,9 +45,7 @@ pub use limb::{Limb, LimbParts};
 pub use limb_rig::LimbRigs;
 pub use mesh::Mesh;
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
-pub use pose_file::{
-    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_pose,
-};
+pub use pose_file::{POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_pose};
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{PALETTE_LEN, Palette, SkinBounds, skin_normals, skin_position, skin_positions};
 pub use torso::{aim_spine, look_at, spine_twist};

@@ -10,27 +10,12 @@ use crate::stages::{Stages, cargo};
 
 /// `cargo xtask test`: everything that can be tested on this machine.
 ///
-/// # Errors
-/// The first stage that fails.
-pub fn test() -> Result<()> {
-    tests(&mut Stages::default())
-}
-
-/// `cargo xtask ci`: formatting, lints, documentation, tests.
+/// Two runs of one build: Cargo does not do documentation tests together with all other targets.
 ///
 /// # Errors
 /// The first stage that fails.
-pub fn ci() -> Result<()> {
+pub fn test() -> Result<()> {
     let mut stages = Stages::default();
-    stages.run("formatting", &mut cargo(["fmt", "--all", "--check"]))?;
-    stages.run("lints", &mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
-    let mut doc = cargo(["doc", "--workspace", "--no-deps"]);
-    stages.run("documentation", doc.env("RUSTDOCFLAGS", "-D warnings"))?;
-    tests(&mut stages)
-}
-
-/// Two runs of one build: Cargo does not do documentation tests together with all other targets.
-fn tests(stages: &mut Stages) -> Result<()> {
     machine::prepare(&[machine::WINDOW, machine::WINDOW_TEST].concat());
     let mut all = on_software_vulkan(cargo(["test", "--workspace", "--all-targets", "--no-fail-fast"]));
     let display = give_display(&mut all)?;
@@ -38,6 +23,18 @@ fn tests(stages: &mut Stages) -> Result<()> {
     drop(display);
     let mut doc = on_software_vulkan(cargo(["test", "--workspace", "--doc", "--no-fail-fast"]));
     stages.run("documentation tests", &mut doc)
+}
+
+/// `cargo xtask lint`: formatting, lints, documentation.
+///
+/// # Errors
+/// The first stage that fails.
+pub fn lint() -> Result<()> {
+    let mut stages = Stages::default();
+    stages.run("formatting", &mut cargo(["fmt", "--all", "--check"]))?;
+    stages.run("lints", &mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
+    let mut doc = cargo(["doc", "--workspace", "--no-deps"]);
+    stages.run("documentation", doc.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 /// Makes wgpu take Vulkan where Mesa's software driver is installed.

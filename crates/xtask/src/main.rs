@@ -18,7 +18,7 @@ Usage: cargo xtask <COMMAND>
   run [ARGS]             build in release and open the window; without a display, render the sample poses
                          ARGS go to the program: `cargo xtask run FILE`, `cargo xtask run -- --help`
   test                   every test: units, documents, pictures, the window on a display of its own
-  ci                     formatting, lints and documentation, then the tests
+  lint                   formatting, lints and documentation
   sculpt [--preview DIR] make the shipped figure anew
   pictures               make the pictures of the README and the guide anew
 
@@ -33,7 +33,7 @@ fn main() -> ExitCode {
     let outcome = match (command.as_str(), rest) {
         ("run", args) => launch::run(args),
         ("test", []) => check::test(),
-        ("ci", []) => check::ci(),
+        ("lint", []) => check::lint(),
         ("sculpt", args) => sculpt::run(args),
         ("pictures", []) => pictures::run(),
         ("help" | "--help" | "-h", _) => {

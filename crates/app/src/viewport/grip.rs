@@ -20,7 +20,7 @@ pub struct Grip {
 
 #[derive(Clone, Debug)]
 enum What {
-    Skin(Grab),
+    Skin(Box<Grab>),
     Target(Limb),
 }
 
@@ -28,7 +28,7 @@ impl Grip {
     /// Takes hold of the skin where a ray met it.
     pub fn of_skin(editor: &Editor, hit: &Hit, camera: &Camera, ray: Ray) -> Grip {
         let grab = Grab::begin(editor.figure(), editor.pose(), editor.evaluation(), hit);
-        Grip::new(What::Skin(grab), hit.point_in_world, camera, ray)
+        Grip::new(What::Skin(Box::new(grab)), hit.point_in_world, camera, ray)
     }
 
     /// Takes hold of a limb's target with the pointer on that ray.
