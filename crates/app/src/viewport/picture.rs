@@ -146,3 +146,44 @@ pub fn install(
     renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure.skin.as_ref())?);
     Ok(())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use egui::vec2;
+    use egui_kittest::Harness;
+    use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+
+    use super::*;
+    use crate::Session;
+
+    #[test]
+    fn the_pointer_draws_a_picture_only_when_another_bone_lights_up() {
+        let state = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
+        let gpu = Gpu::of_device(state.device.clone(), state.queue.clone(), state.adapter.get_info());
+        let figure = crate::load::figure(None).unwrap();
+        install(&mut state.renderer.write(), &gpu, state.target_format, &figure).unwrap();
+        let count = || state.renderer.read().callback_resources.get::<PictureGpu>().unwrap().count;
+        let session = Session::new(Editor::new(figure), None);
+        let mut hand = Harness::builder()
+            .with_size(vec2(900.0, 600.0))
+            .renderer(WgpuTestRenderer::from_render_state(state.clone()))
+            .build_ui_state(|ui, session: &mut Session| session.ui(ui), session);
+        hand.run();
+        let neck = hand.state().editor().evaluation().frames[Bone::UpperChest].position;
+        let chest = hand.state().viewport.window_of(neck).unwrap() + vec2(6.0, 12.0);
+        let mut drawn_at = |place| {
+            hand.hover_at(place);
+            hand.run();
+            hand.render().unwrap();
+            (hand.state().viewport.hovered(), count())
+        };
+        let (nowhere, first) = drawn_at(chest + vec2(0.0, 250.0));
+        assert_eq!(nowhere, None);
+        let (lit, second) = drawn_at(chest);
+        assert!(lit.is_some() && second == first + 1, "{lit:?} {first} {second}");
+        for shift in [vec2(1.0, 0.0), vec2(2.0, 1.0), vec2(3.0, 0.0)] {
+            assert_eq!(drawn_at(chest + shift), (lit, second), "the same bone, the same picture");
+        }
+    }
+}
