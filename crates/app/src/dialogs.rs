@@ -355,19 +355,25 @@ const HELP: [(&str, &[(&str, &str)]); 4] = [
     ),
 ];
 
+/// What the help takes besides its rows, points: heading, button, margins.
+const HELP_FRAME: f32 = 130.0;
+
 fn help(ui: &mut Ui) -> bool {
     ui.heading("Gestures and shortcuts");
-    for (title, rows) in HELP {
-        ui.add_space(8.0);
-        ui.label(RichText::new(title).color(theme::ACCENT));
-        egui::Grid::new(title).num_columns(2).min_col_width(190.0).spacing([16.0, 3.0]).show(ui, |ui| {
-            for (what, does) in rows {
-                ui.label(RichText::new(*what).strong());
-                ui.label(*does);
-                ui.end_row();
-            }
-        });
-    }
+    let room = ui.ctx().content_rect().height() - HELP_FRAME;
+    egui::ScrollArea::vertical().max_height(room).min_scrolled_height(room).show(ui, |ui| {
+        for (title, rows) in HELP {
+            ui.add_space(8.0);
+            ui.label(RichText::new(title).color(theme::ACCENT));
+            egui::Grid::new(title).num_columns(2).min_col_width(190.0).spacing([16.0, 3.0]).show(ui, |ui| {
+                for (what, does) in rows {
+                    ui.label(RichText::new(*what).strong());
+                    ui.label(*does);
+                    ui.end_row();
+                }
+            });
+        }
+    });
     ui.add_space(10.0);
     ui.button("Close").clicked()
 }
