@@ -311,7 +311,7 @@ fn replace(ui: &mut Ui, path: &Path, then: Option<&Intent>) -> (Option<Answer>, 
     (replace.then(|| Answer::Replace(path.to_owned(), then.cloned())), close)
 }
 
-const HELP: [(&str, &[(&str, &str)]); 4] = [
+const HELP: [(&str, &[(&str, &str)]); 5] = [
     (
         "In the panel",
         &[
@@ -335,6 +335,14 @@ const HELP: [(&str, &[(&str, &str)]); 4] = [
             ("Drag empty space", "turn the view; with the other buttons anywhere"),
             ("Shift + drag", "slide the view"),
             ("Wheel", "nearer and farther, to the pointer"),
+        ],
+    ),
+    (
+        "The chosen joint",
+        &[
+            ("P", "its limb: free, then a point, then planted"),
+            ("[ and ]", "the joint that carries it; the one that it carries"),
+            ("Alt+R", "back to 0"),
         ],
     ),
     (

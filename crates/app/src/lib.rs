@@ -14,6 +14,7 @@ pub mod picture;
 mod rail;
 mod reaching;
 mod session;
+mod shortcuts;
 mod status_line;
 mod theme;
 mod toolbar;

@@ -12,6 +12,7 @@ use crate::disk::{self, Disk};
 use crate::failure::Failure;
 use crate::keepsafe::{Keepsafe, Lost};
 use crate::panels::Panels;
+use crate::shortcuts::{self, Wish};
 use crate::viewport::{self, Viewport};
 use crate::{load, status_line, theme, toolbar};
 
@@ -347,6 +348,14 @@ impl Session {
         }
         let selected = self.panels.selected();
         viewport::keys(ui, &mut self.viewport, &self.editor, selected);
+        match shortcuts::wish(ui, &self.editor, selected) {
+            Some(Wish::Ask(commands)) => {
+                self.submit(Request::PreviewAll(commands));
+                self.submit(Request::Commit);
+            }
+            Some(Wish::Choose(bone)) => self.panels.select(Some(bone)),
+            None => {}
+        }
     }
 
     fn act(&mut self, action: toolbar::Action) {

@@ -79,3 +79,37 @@ fn a_dragged_target_moves_in_the_plane_of_the_view() {
     assert_eq!(steps(&hand), depth + 1);
     assert_eq!(pose(&hand).limb(Limb::LeftArm).contact, Contact::Free);
 }
+
+#[test]
+fn keys_act_on_the_chosen_joint() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 40.0);
+    hand.state_mut().panels.select(Some(Bone::LeftLowerArm));
+    hand.run();
+    let contact = |hand: &crate::hand::Hand| hand.state().editor().pose().limb(Limb::LeftArm).contact;
+    let before = pose(&hand);
+    let depth = steps(&hand);
+    hand.key_press(Key::P);
+    hand.run();
+    assert!(matches!(contact(&hand), Contact::Point { .. }));
+    hand.key_press(Key::P);
+    hand.run();
+    assert!(matches!(contact(&hand), Contact::Planted { .. }));
+    assert_eq!(pose(&hand).angles, before.angles, "a contact moves nothing");
+    hand.key_press(Key::P);
+    hand.run();
+    assert_eq!(contact(&hand), Contact::Free);
+    assert_eq!(steps(&hand), depth + 3);
+    hand.key_press_modifiers(Modifiers::ALT, Key::R);
+    hand.run();
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm), rig::Angles::REST);
+    assert_eq!(steps(&hand), depth + 4, "one step for all angles of the joint");
+    hand.key_press(Key::OpenBracket);
+    hand.run();
+    assert_eq!(hand.state().panels.selected(), Some(Bone::LeftUpperArm));
+    hand.key_press(Key::CloseBracket);
+    hand.run();
+    hand.key_press(Key::CloseBracket);
+    hand.run();
+    assert_eq!(hand.state().panels.selected(), Some(Bone::LeftHand));
+}
