@@ -176,6 +176,37 @@ fn a_script_that_stops_halfway_saves_nothing() {
 }
 
 #[test]
+fn a_save_killed_at_any_moment_leaves_the_former_file_or_the_new_one() {
+    let folder = Folder::new();
+    let turn = folder.file(
+        "a.script.ron",
+        "(version: 1, commands: [Turn(joint: \"head\", dof: Twist, degrees: 20, by: To)])",
+    );
+    let saved = folder.path("a.pose.ron");
+    assert_eq!(code(&posewright(&["run", text(&turn), "--save", text(&saved)])), 0);
+    let new = fs::read(&saved).unwrap();
+    let former = b"(version: 1, joints: {})".to_vec();
+    // How long a whole run takes here, so that the kills fall before, in and after the save.
+    let start = std::time::Instant::now();
+    assert_eq!(code(&posewright(&["run", text(&turn), "--save", text(&saved)])), 0);
+    let whole = start.elapsed();
+    let (mut former_left, mut new_left) = (0, 0);
+    for step in 0..30 {
+        fs::write(&saved, &former).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
+        let mut child = command.args(["run", text(&turn), "--save", text(&saved)]).spawn().unwrap();
+        std::thread::sleep(whole.mul_f64(f64::from(step) / 22.0));
+        let _ = child.kill();
+        let _ = child.wait();
+        let left = fs::read(&saved).unwrap();
+        former_left += u32::from(left == former);
+        new_left += u32::from(left == new);
+        assert!(left == former || left == new, "half a file after {step}");
+    }
+    assert!(former_left > 0 && new_left > 0, "{former_left} former, {new_left} new");
+}
+
+#[test]
 fn check_names_each_fault_and_passes_what_is_good() {
     let folder = Folder::new();
     let good = folder.file("good.pose.ron", "(version: 1, joints: {})");
