@@ -38,7 +38,7 @@ pub(crate) fn apply(
     };
     let document = Document { pose, ranges };
     let missed = missed(figure, &document, goal);
-    let message = message(command, clamped, &missed);
+    let message = message(command, &missed);
     Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
 }
 
@@ -183,13 +183,10 @@ fn missed(figure: &Figure, document: &Document, goal: Option<(Limb, DVec3)>) -> 
     Limb::ALL.into_iter().map(|limb| (limb, of(limb))).filter(|(_, off)| *off > 1e-5).collect()
 }
 
-fn message(command: &Command, clamped: bool, missed: &[(Limb, f64)]) -> String {
+fn message(command: &Command, missed: &[(Limb, f64)]) -> String {
     let mut message = command.told();
     for (limb, off) in missed {
         message += &format!("; {} is {:.1} mm off its target", words(limb.name()), off * 1000.0);
-    }
-    if clamped && missed.is_empty() {
-        message += "; stopped by a range";
     }
     let mut letters = message.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
