@@ -16,6 +16,8 @@ use crate::stages::cargo;
 /// The build or the program fails.
 pub fn run(args: &[String]) -> Result<()> {
     machine::prepare(machine::WINDOW);
+    let built = cargo(["build", "--release", "--package", "app", "--bin", "posewright"]).status();
+    ensure!(built.context("starting cargo")?.success(), "the program can't be built");
     let args = args.strip_prefix(&["--".to_owned()][..]).unwrap_or(args);
     if args.is_empty() && !has_display() {
         return render_samples();
@@ -25,9 +27,9 @@ pub fn run(args: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// The released program behind Cargo, which builds it first where needed.
+/// The program as it was built.
 fn posewright() -> Command {
-    cargo(["run", "--release", "--package", "app", "--bin", "posewright", "--"])
+    cargo(["run", "--quiet", "--release", "--package", "app", "--bin", "posewright", "--"])
 }
 
 /// Whether a window can open as far as the environment tells.

@@ -43,6 +43,10 @@ impl Drop for Stages {
 pub fn cargo<A: AsRef<OsStr>>(args: impl IntoIterator<Item = A>) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(crate::root()).args(args);
+    if std::env::var_os("XDG_RUNTIME_DIR").is_none() {
+        // Without it Mesa prints a harmless "error:" for every picture.
+        command.env("XDG_RUNTIME_DIR", std::env::temp_dir());
+    }
     command
 }
 
