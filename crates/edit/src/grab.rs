@@ -113,7 +113,8 @@ impl Grab {
         let foot = self.frames[Bone::Spine].position;
         let chord = self.frames[Bone::Neck].position - foot;
         let at = foot + self.turn_about(foot, to_in_world) * chord;
-        vec![Command::AimSpine { at, twist: rig::spine_twist(figure, &self.first) }]
+        let aim = |twist| Command::AimSpine { at, twist };
+        rig::spine_twist(figure, &self.first).map(aim).into_iter().collect()
     }
 
     fn look(&self, to_in_world: DVec3) -> Vec<Command> {

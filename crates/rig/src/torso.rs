@@ -40,12 +40,11 @@ pub fn aim_spine(
     Ok(Moved { pose, clamped })
 }
 
-/// The total twist of the spine as it is, degrees: what an aim takes to leave it.
-///
-/// 0 for a figure whose spine has fewer than three joints.
-pub fn spine_twist(figure: &Figure, pose: &Pose) -> f64 {
-    let state = Spine::of(figure).and_then(|spine| spine.recover(pose));
-    state.map_or(0.0, |state| state.bend.twist.to_degrees())
+/// The total twist of the spine as it is, degrees: what an aim takes to leave it. `None` for a figure whose spine
+/// has fewer than three joints.
+pub fn spine_twist(figure: &Figure, pose: &Pose) -> Option<f64> {
+    let state = Spine::of(figure).and_then(|spine| spine.recover(pose)).ok()?;
+    Some(state.bend.twist.to_degrees())
 }
 
 /// The three joints of the spine as one column.

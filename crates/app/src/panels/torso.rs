@@ -2,8 +2,8 @@
 
 use edit::Command;
 use egui::Ui;
-use kin::{Column, Interval};
-use rig::{Bone, Figure, Pose};
+use kin::Interval;
+use rig::Bone;
 
 use super::{Sheet, row};
 use crate::number::Number;
@@ -18,7 +18,7 @@ impl Sheet<'_> {
         self.joints(ui, &SPINE);
         row::subtitle(ui, "Whole spine");
         let top = self.editor.evaluation().frames[Bone::Neck].position;
-        let Some(twist) = spine_twist(self.editor.figure(), self.editor.pose()) else { return };
+        let Some(twist) = rig::spine_twist(self.editor.figure(), self.editor.pose()) else { return };
         let tip = "Bends the spine evenly so that its top points here; metres";
         let moved = self.point(ui, "Aim", "Spine aim", tip, top);
         self.ask_moved(moved, |moved| Command::AimSpine { at: moved.goal, twist });
@@ -38,14 +38,4 @@ impl Sheet<'_> {
         let (_, change) = Number::degrees(name, twist).show(ui, columns.number);
         self.ask(change, aim);
     }
-}
-
-/// The twist of the whole spine as an aim would find it, degrees; `None` without a whole spine.
-fn spine_twist(figure: &Figure, pose: &Pose) -> Option<f64> {
-    let joint = |bone| figure.skeleton.joint(bone);
-    let [spine, chest, upper, neck] =
-        [joint(Bone::Spine)?, joint(Bone::Chest)?, joint(Bone::UpperChest)?, joint(Bone::Neck)?];
-    let column = Column::new([chest.offset, upper.offset, neck.offset]).ok()?;
-    let locals = [spine, chest, upper].map(|joint| joint.rotation(pose.angles(joint.bone)));
-    column.recover(&locals).ok().map(|state| state.bend.twist.to_degrees())
 }
