@@ -26,6 +26,11 @@ pub fn read(bytes: &[u8], skeleton: &Skeleton) -> Result<Mesh, GlbError> {
     let parts = split(bytes)?;
     let broken = |e: &dyn std::fmt::Display| GlbError::Document(e.to_string());
     let root = gltf::json::Root::from_slice(parts.json).map_err(|e| broken(&e))?;
+    // The library's own validation looks these accessors up unchecked.
+    let mut primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    if primitives.any(|p| p.attributes.values().any(|accessor| accessor.value() >= root.accessors.len())) {
+        return Err(broken(&"an attribute names an accessor beyond the last"));
+    }
     let document = gltf::Document::from_json(root).map_err(|e| broken(&e))?;
     let tree = Tree::new(&document)?;
     let mut reader = Reader { data: parts.data, skeleton, tree, mesh: Mesh::default() };
