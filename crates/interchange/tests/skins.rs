@@ -226,6 +226,55 @@ fn damaged_documents() {
     assert!(matches!(error, Err(GlbError::NotFinite { .. } | GlbError::Rest { .. })), "{error:?}");
 }
 
+/// Each kind of index in a document, one beyond the last of what it counts: the library looks some of them up unchecked.
+#[test]
+fn an_index_beyond_the_last_is_an_error_and_no_panic() {
+    type Damage = fn(&mut Value);
+    let cases: [(&str, Damage); 17] = [
+        ("the places", |j| primitive(j)["attributes"]["POSITION"] = json!(99)),
+        ("another attribute", |j| primitive(j)["attributes"]["JOINTS_0"] = json!(99)),
+        ("the largest attribute", |j| primitive(j)["attributes"]["POSITION"] = json!(u32::MAX)),
+        ("an attribute without meaning", |j| primitive(j)["attributes"]["_ODD"] = json!(99)),
+        ("indices", |j| primitive(j)["indices"] = json!(99)),
+        ("material", |j| primitive(j)["material"] = json!(99)),
+        ("morph target", |j| primitive(j)["targets"] = json!([{"POSITION": 99}])),
+        ("inverse binds", |j| j["skins"][0]["inverseBindMatrices"] = json!(99)),
+        ("skeleton", |j| j["skins"][0]["skeleton"] = json!(999)),
+        ("joint", |j| j["skins"][0]["joints"][3] = json!(999)),
+        ("mesh", |j| j["nodes"][0]["mesh"] = json!(99)),
+        ("skin", |j| j["nodes"][0]["skin"] = json!(99)),
+        ("child", |j| j["nodes"][1]["children"] = json!([999])),
+        ("node of a scene", |j| j["scenes"][0]["nodes"] = json!([999])),
+        ("buffer view of an accessor", |j| j["accessors"][0]["bufferView"] = json!(99)),
+        ("buffer of a view", |j| j["bufferViews"][0]["buffer"] = json!(99)),
+        ("buffer view of an image", |j| {
+            j["images"] = json!([{"bufferView": 99, "mimeType": "image/png"}]);
+        }),
+    ];
+    for (what, damage) in cases {
+        let error = changed(damage);
+        assert!(matches!(error, Err(GlbError::Document(_))), "{what}: {error:?}");
+    }
+    // Those that hang together: texture to image, material to texture, a sparse accessor to its views.
+    let chained: [(&str, Damage); 3] = [
+        ("image of a texture", |j| j["textures"] = json!([{"source": 9}])),
+        ("texture of a material", |j| j["materials"] = json!([{"normalTexture": {"index": 9}}])),
+        ("views of a sparse accessor", |j| {
+            j["accessors"][0]["sparse"] = json!({"count": 1,
+                "indices": {"bufferView": 99, "componentType": 5123}, "values": {"bufferView": 99}});
+        }),
+    ];
+    for (what, damage) in chained {
+        let error = changed(damage);
+        assert!(matches!(error, Err(GlbError::Document(_))), "{what}: {error:?}");
+    }
+}
+
+/// The only primitive of the small skin.
+fn primitive(json: &mut Value) -> &mut Value {
+    &mut json["meshes"][0]["primitives"][0]
+}
+
 #[test]
 fn numbers_that_are_not_finite() {
     let (json, mut data) = document(&glb::write(&small(), skeleton(), "small"));
