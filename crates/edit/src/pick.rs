@@ -35,6 +35,19 @@ pub struct Hit {
     pub distance: f64,
 }
 
+/// The place of the skin nearest to a point.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Near {
+    /// The bone that moves this place of the skin most.
+    pub bone: Bone,
+    /// Metres, world.
+    pub point_in_world: DVec3,
+    /// Unit normal of the triangle, outward, world.
+    pub normal_in_world: DVec3,
+    /// Metres from the skin to the point; negative inside the body.
+    pub height_m: f64,
+}
+
 impl SkinPicker {
     /// Cuts a mesh into chunks. A mesh with a [`Mesh::fault`] has none.
     pub fn new(mesh: &Mesh) -> SkinPicker {
@@ -50,15 +63,55 @@ impl SkinPicker {
     /// The nearest point of the skin that a ray in the palette's space meets from outside; `frames` are those that
     /// the palette was made from.
     pub fn pick(&self, mesh: &Mesh, palette: &Palette, frames: &Frames, ray: Ray) -> Option<Hit> {
+        self.pick_of(mesh, palette, frames, ray, |_| true)
+    }
+
+    /// As [`SkinPicker::pick`] for the skin of some bones: what others move most lets the ray through.
+    pub fn pick_of(
+        &self,
+        mesh: &Mesh,
+        palette: &Palette,
+        frames: &Frames,
+        ray: Ray,
+        counts: impl Fn(Bone) -> bool,
+    ) -> Option<Hit> {
         let mut nearest: Option<Meeting> = None;
-        for chunk in &self.chunks {
+        for chunk in self.chunks.iter().filter(|chunk| chunk.has(&counts)) {
             let limit = nearest.as_ref().map_or(f32::INFINITY, |m| m.distance);
             if chunk.meets(palette, ray, limit) {
                 let found = chunk.triangles.iter().filter_map(|&at| meeting(mesh, palette, ray, at as usize));
+                let found = found.filter(|m| counts(strongest(mesh, m.at, m.shares)));
                 nearest = found.chain(nearest).min_by(|a, b| a.distance.total_cmp(&b.distance));
             }
         }
         nearest.map(|meeting| meeting.hit(mesh, frames, ray))
+    }
+
+    /// The point of the skin of some bones that is nearest to a point of the palette's space; `None` if none is
+    /// within a distance, metres.
+    pub fn nearest_of(
+        &self,
+        mesh: &Mesh,
+        palette: &Palette,
+        point: DVec3,
+        within_m: f64,
+        counts: impl Fn(Bone) -> bool,
+    ) -> Option<Near> {
+        let point = point.as_vec3();
+        let (mut nearest, mut limit): (Option<Near>, f32) = (None, within_m as f32);
+        for chunk in self.chunks.iter().filter(|chunk| chunk.has(&counts)) {
+            if chunk.distance(palette, point) > limit {
+                continue;
+            }
+            for &at in &chunk.triangles {
+                let Some(near) = near(mesh, palette, point, at as usize, limit) else { continue };
+                if counts(near.bone) {
+                    limit = near.height_m.abs() as f32;
+                    nearest = Some(near);
+                }
+            }
+        }
+        nearest
     }
 }
 
@@ -115,6 +168,18 @@ impl Chunk {
         let posed = self.boxes.iter().flat_map(|(bone, b)| b.corners().map(|c| palette.point(*bone, c)));
         enters(Bounds::of(posed), ray).is_some_and(|distance| distance <= limit)
     }
+
+    /// Whether any of its skin may be moved most by a bone that counts.
+    fn has(&self, counts: impl Fn(Bone) -> bool) -> bool {
+        self.boxes.iter().any(|(bone, _)| counts(*bone))
+    }
+
+    /// No more than the distance from a point to the posed chunk, metres.
+    fn distance(&self, palette: &Palette, point: Vec3) -> f32 {
+        let posed = self.boxes.iter().flat_map(|(bone, b)| b.corners().map(|c| palette.point(*bone, c)));
+        let bounds = Bounds::of(posed);
+        point.distance(point.max(bounds.min).min(bounds.max))
+    }
 }
 
 /// Where a ray enters a box, metres; 0 from inside.
@@ -159,16 +224,20 @@ fn meeting(mesh: &Mesh, palette: &Palette, ray: Ray, at: usize) -> Option<Meetin
     inside.then(|| Meeting { at, distance, shares: [1.0 - u - v, u, v], normal: normal.normalize_or_zero() })
 }
 
+/// The bone that moves a place of a triangle most, given the weights of its corners there.
+fn strongest(mesh: &Mesh, at: usize, shares: [f32; 3]) -> Bone {
+    let mut pull = [0.0f32; Bone::COUNT];
+    for (vertex, share) in corners(mesh, at).into_iter().zip(shares) {
+        for (joint, weight) in mesh.joints[vertex].into_iter().zip(mesh.weights[vertex]) {
+            pull[usize::from(joint)] += share * f32::from(weight);
+        }
+    }
+    Bone::ALL[(0..Bone::COUNT).max_by(|&a, &b| pull[a].total_cmp(&pull[b])).unwrap_or(0)]
+}
+
 impl Meeting {
     fn hit(&self, mesh: &Mesh, frames: &Frames, ray: Ray) -> Hit {
-        let mut pull = [0.0f32; Bone::COUNT];
-        for (vertex, share) in corners(mesh, self.at).into_iter().zip(self.shares) {
-            for (joint, weight) in mesh.joints[vertex].into_iter().zip(mesh.weights[vertex]) {
-                pull[usize::from(joint)] += share * f32::from(weight);
-            }
-        }
-        let strongest = (0..Bone::COUNT).max_by(|&a, &b| pull[a].total_cmp(&pull[b])).unwrap_or(0);
-        let bone = Bone::ALL[strongest];
+        let bone = strongest(mesh, self.at, self.shares);
         let point_in_world = (ray.origin + ray.direction * self.distance).as_dvec3();
         Hit {
             bone,
@@ -177,5 +246,52 @@ impl Meeting {
             normal_in_world: self.normal.as_dvec3(),
             distance: f64::from(self.distance),
         }
+    }
+}
+
+/// The place of one posed triangle nearest to a point, if it is nearer than a limit, metres.
+fn near(mesh: &Mesh, palette: &Palette, point: Vec3, at: usize, limit: f32) -> Option<Near> {
+    let triangle = corners(mesh, at).map(|v| skin_position(mesh, palette, v));
+    let shares = nearest_shares(triangle, point);
+    let place = triangle.iter().zip(shares).map(|(corner, share)| *corner * share).sum::<Vec3>();
+    let distance = place.distance(point);
+    if distance.is_nan() || distance >= limit {
+        return None;
+    }
+    let [a, b, c] = triangle;
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let sign = if (point - place).dot(normal) < 0.0 { -1.0 } else { 1.0 };
+    Some(Near {
+        bone: strongest(mesh, at, shares),
+        point_in_world: place.as_dvec3(),
+        normal_in_world: normal.as_dvec3(),
+        height_m: sign * f64::from(distance),
+    })
+}
+
+/// The weights of a triangle's corners at its place nearest to a point. Source: `rtcd`, 5.1.5.
+fn nearest_shares([a, b, c]: [Vec3; 3], point: Vec3) -> [f32; 3] {
+    let (ab, ac) = (b - a, c - a);
+    let along = |corner: Vec3| (ab.dot(point - corner), ac.dot(point - corner));
+    let ((d1, d2), (d3, d4), (d5, d6)) = (along(a), along(b), along(c));
+    let (of_a, of_b, of_c) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
+    if d1 <= 0.0 && d2 <= 0.0 {
+        [1.0, 0.0, 0.0]
+    } else if d3 >= 0.0 && d4 <= d3 {
+        [0.0, 1.0, 0.0]
+    } else if d6 >= 0.0 && d5 <= d6 {
+        [0.0, 0.0, 1.0]
+    } else if of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let v = d1 / (d1 - d3);
+        [1.0 - v, v, 0.0]
+    } else if of_b <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let w = d2 / (d2 - d6);
+        [1.0 - w, 0.0, w]
+    } else if of_a <= 0.0 && d4 >= d3 && d5 >= d6 {
+        let w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        [0.0, 1.0 - w, w]
+    } else {
+        let whole = of_a + of_b + of_c;
+        [of_a / whole, of_b / whole, of_c / whole]
     }
 }

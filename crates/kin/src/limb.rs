@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
-use crate::Carrier;
 use crate::carrier::{arc, half_turn};
+use crate::{Carrier, Interval};
 
 /// The fixed geometry of a limb, in its limb frame: origin at the root joint, any rest direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -182,6 +182,21 @@ impl Limb {
         let local = self.local(in_hinge);
         let (rho, across) = (length(local.y, local.z), self.side + local.x);
         (length(self.upper - rho, across), length(self.upper + rho, across))
+    }
+
+    /// As [`Limb::reach`] with the hinge held in an interval, radians.
+    pub fn reach_in(&self, in_hinge: DVec3, hinge: Interval) -> (f64, f64) {
+        let (near, far) = self.reach(in_hinge);
+        let local = self.local(in_hinge);
+        // The distance grows and shrinks with cos(g + psi): it is greatest at g = -psi, least half a turn from there.
+        let straight = -local.z.atan2(local.y);
+        let at = |angle: f64| self.bent(in_hinge, angle).length();
+        let (low, high) = (at(hinge.min), at(hinge.max));
+        let passes = |angle: f64| angle + TAU * ((hinge.min - angle) / TAU).ceil() <= hinge.max;
+        let whole = !(hinge.min.is_finite() && hinge.max.is_finite());
+        let near = if whole || passes(straight + PI) { near } else { low.min(high) };
+        let far = if whole || passes(straight) { far } else { low.max(high) };
+        (near, far)
     }
 
     /// The hinge angle in (-pi, pi] that puts the articulator at a distance from the root.
