@@ -11,9 +11,9 @@ mod row;
 mod section;
 mod torso;
 
-use edit::{Command, Editor, Request};
+use edit::{Choose, Command, Editor, Request, Selection};
 use egui::{ScrollArea, Ui};
-use rig::{Bone, Part, Side};
+use rig::{Bone, Part, Side, Skeleton};
 
 use crate::rail::Change;
 pub use section::Section;
@@ -22,7 +22,7 @@ pub use section::Section;
 #[derive(Clone, PartialEq, Debug)]
 pub struct Panels {
     open: [bool; Section::ALL.len()],
-    selected: Option<Bone>,
+    selection: Selection,
     reveal: bool,
     /// How much of a handshape a click takes on, 0 to 1, left and right.
     shape_amount: [f64; 2],
@@ -34,20 +34,35 @@ impl Default for Panels {
     fn default() -> Panels {
         let mut open = [false; Section::ALL.len()];
         open[Section::Body(Part::LeftArm).index()] = true;
-        Panels { open, selected: None, reveal: false, shape_amount: [1.0; 2], gaze_m: 1.0 }
+        Panels { open, selection: Selection::default(), reveal: false, shape_amount: [1.0; 2], gaze_m: 1.0 }
     }
 }
 
 impl Panels {
-    /// The bone chosen in the picture or in the panel.
+    /// The active bone: the one chosen last, in the picture or in the panel.
     pub fn selected(&self) -> Option<Bone> {
-        self.selected
+        self.selection.active()
     }
 
-    /// Chooses a bone; its section opens and scrolls to it.
+    /// All that is chosen.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// Chooses a bone alone, or nothing; its section opens and scrolls to it.
     pub fn select(&mut self, bone: Option<Bone>) {
-        self.selected = bone;
-        if let Some(bone) = bone {
+        self.selection = Selection::of(bone);
+        self.open_active();
+    }
+
+    /// Chooses in one of the ways; the section of what is active then opens and scrolls to it.
+    pub fn choose(&mut self, skeleton: &Skeleton, how: Choose) {
+        self.selection.choose(skeleton, how);
+        self.open_active();
+    }
+
+    fn open_active(&mut self) {
+        if let Some(bone) = self.selected() {
             self.open[Section::Body(bone.part()).index()] = true;
             self.reveal = true;
         }
@@ -115,4 +130,10 @@ impl Sheet<'_> {
             Change::Set(value) => Request::Do(command(value)),
         }));
     }
+}
+
+/// What a click on a joint's mark, row or shape does: with Shift or Ctrl it adds the joint or lets go of it.
+pub(crate) fn way_of_click(ui: &Ui, bone: Bone) -> Choose {
+    let adds = ui.input(|input| input.modifiers.shift || input.modifiers.command);
+    if adds { Choose::Toggle(bone) } else { Choose::Only(bone) }
 }

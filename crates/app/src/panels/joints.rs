@@ -1,11 +1,11 @@
 //! A row for every degree of freedom of a joint.
 
-use edit::{By, Command};
+use edit::{By, Choose, Command};
 use egui::{Role, Sense, Ui, WidgetInfo};
 use kin::Interval;
 use rig::{Bone, Dof};
 
-use super::{Sheet, row};
+use super::{Sheet, row, way_of_click};
 use crate::number::Number;
 use crate::rail::Rail;
 use crate::{labels, theme};
@@ -32,7 +32,7 @@ impl Sheet<'_> {
         let dof = slider.dof;
         let name = labels::slider(bone, dof);
         let columns = row::next(ui);
-        let selected = self.panels.selected == Some(bone);
+        let selected = self.panels.selection.contains(bone);
         if selected {
             ui.painter().rect_filled(columns.whole.expand2(egui::vec2(4.0, 1.0)), 2.0, theme::HEADER);
             if self.panels.reveal && !joint_name.is_empty() {
@@ -70,8 +70,18 @@ impl Sheet<'_> {
             response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
         }
         if response.clicked() {
-            self.panels.selected = (self.panels.selected != Some(bone)).then_some(bone);
+            self.choose_row(ui, bone);
         }
+    }
+
+    /// Chooses the bone of a clicked row, or no longer if it was the only one; with Shift or Ctrl besides the others.
+    fn choose_row(&mut self, ui: &Ui, bone: Bone) {
+        let alone = self.panels.selection.bones() == [bone];
+        let how = match way_of_click(ui, bone) {
+            Choose::Only(_) if alone => Choose::None,
+            how => how,
+        };
+        self.panels.selection.choose(&self.editor.figure().skeleton, how);
     }
 
     /// The ends of the rail: the joint's fixed range, widened to hold the value; a full circle without ranges.
