@@ -7,9 +7,18 @@ struct Stroke {
     // sRGB, straight alpha.
     @location(2) color: vec4<f32>,
     @location(3) outline: vec4<f32>,
-    // x: radius, y: width of the outline outside it, z: period of the dashes or 0, all in pixels; w: 1 for an ellipse.
+    // x: radius, y: width of the outline outside it, z: period of the dashes or 0, all in pixels; w: which shape.
     @location(4) shape: vec4<f32>,
 }
+
+// Shapes: twins of `Form` in overlay.rs.
+const ELLIPSE: f32 = 1.0;
+const RING: f32 = 2.0;
+const DIAMOND: f32 = 3.0;
+const SQUARE: f32 = 4.0;
+const CROSS: f32 = 5.0;
+// A diamond reaches farther than its radius, so that it looks as large as a disc.
+const FARTHEST: f32 = 1.3;
 
 struct Ink {
     @builtin(position) clip: vec4<f32>,
@@ -52,7 +61,7 @@ fn vs_stroke(@builtin(vertex_index) index: u32, in: Stroke) -> Ink {
     let long = length(run);
     let along = select(vec2(1.0, 0.0), run / max(long, 1e-6), long > 1e-3);
     let across = vec2(-along.y, along.x);
-    let reach = in.shape.x + in.shape.y + 1.0;
+    let reach = in.shape.x * select(1.0, FARTHEST, in.shape.w > ELLIPSE) + in.shape.y + 1.0;
     let tip = f32(index & 1u) * 2.0 - 1.0;
     let side = f32(index >> 1u) * 2.0 - 1.0;
     let at = select(out.from_px, out.to_px, tip > 0.0) + (along * tip + across * side) * reach;
@@ -63,13 +72,35 @@ fn vs_stroke(@builtin(vertex_index) index: u32, in: Stroke) -> Ink {
     return out;
 }
 
+// How far a place lies outside a point's shape (negative: inside), pixels.
+fn outside(off: vec2<f32>, radius: f32, form: f32) -> f32 {
+    let q = abs(off);
+    if form == RING {
+        let half = max(0.16 * radius, 0.8);
+        return abs(length(off) - radius + half) - half;
+    }
+    if form == DIAMOND {
+        return (q.x + q.y - FARTHEST * radius) * 0.70710678;
+    }
+    if form == SQUARE {
+        return max(q.x, q.y) - 0.88 * radius;
+    }
+    // Two bars across each other: of the two, the one along which this place lies.
+    let half = max(0.2 * radius, 0.9);
+    let along = (q.x + q.y) * 0.70710678;
+    let across = abs(q.x - q.y) * 0.70710678;
+    return length(vec2(max(along - FARTHEST * radius + half, 0.0), across)) - half;
+}
+
 fn ink(in: Ink) -> vec4<f32> {
     let run = in.to_px - in.from_px;
     let off = in.clip.xy - in.from_px;
     let long2 = dot(run, run);
     let t = clamp(dot(off, run) / max(long2, 1e-9), 0.0, 1.0);
     var away = length(off - run * t);
-    if in.shape.w > 0.5 && long2 > 1e-6 {
+    if in.shape.w > ELLIPSE {
+        away = in.shape.x + outside(off, in.shape.x, in.shape.w);
+    } else if in.shape.w == ELLIPSE && long2 > 1e-6 {
         // An ellipse with the line as its long axis.
         let half = 0.5 * sqrt(long2);
         let along = run / (2.0 * half);
@@ -85,8 +116,8 @@ fn ink(in: Ink) -> vec4<f32> {
         let off_middle = abs(fract(t * sqrt(long2) / in.shape.z + 0.22) - 0.5);
         fill *= clamp((0.28 - off_middle) * in.shape.z + 0.5, 0.0, 1.0);
     }
-    let ring = clamp(in.shape.x + in.shape.y + 0.5 - away, 0.0, 1.0) * in.outline.a;
-    let base = vec4(in.outline.rgb * ring, ring);
+    let edge = clamp(in.shape.x + in.shape.y + 0.5 - away, 0.0, 1.0) * in.outline.a;
+    let base = vec4(in.outline.rgb * edge, edge);
     let top = vec4(in.color.rgb, 1.0) * (in.color.a * fill);
     return top + base * (1.0 - fill * in.color.a);
 }

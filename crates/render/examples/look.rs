@@ -5,7 +5,7 @@
 use std::io::Write;
 
 use glam::{Mat4, Vec3};
-use render::{FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene};
+use render::{Ball, FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene, Shape};
 use rig::{Bone, Camera, View};
 
 #[path = "../tests/body/mod.rs"]
@@ -67,7 +67,14 @@ fn marks() -> Overlay {
     for (axis, color, layer) in rings {
         overlay.ring(shoulder, axis, 0.2, Line { layer, color, ..line });
     }
-    for (i, layer) in [Layer::OnTop, Layer::Tested, Layer::Ghosted].into_iter().enumerate() {
+    let shapes = [
+        (Shape::Disc, Layer::OnTop),
+        (Shape::Ring, Layer::Tested),
+        (Shape::Diamond, Layer::Ghosted),
+        (Shape::Square, Layer::OnTop),
+        (Shape::Cross, Layer::OnTop),
+    ];
+    for (i, (shape, layer)) in shapes.into_iter().enumerate() {
         overlay.markers.push(Marker {
             at: Vec3::new(0.1 * i as f32, 1.0, 0.1),
             radius_px: 6.0,
@@ -75,7 +82,13 @@ fn marks() -> Overlay {
             outline: [20, 20, 24, 255],
             outline_px: 2.0,
             layer,
+            shape,
         });
     }
+    let ball = |radius_m, color| Ball { center: shoulder, radius_m, color, layer: Layer::Ghosted };
+    overlay.balls.extend([ball(0.2, [255, 140, 80, 200]), ball(0.56, [90, 200, 255, 200])]);
+    overlay.sector(shoulder, Vec3::Z, Vec3::X * 0.3, -1.4, [120, 230, 140, 150], Layer::Ghosted);
+    let feet = [[-0.18, -0.1], [-0.18, 0.18], [0.18, 0.18], [0.18, -0.1]];
+    overlay.polygon(&feet.map(|[x, z]| Vec3::new(x, 0.0, z)), [255, 220, 90, 120], Layer::Tested);
     overlay
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::overlay::Stroke;
+use crate::overlay::{Form, Stroke};
 use crate::scene::Scene;
 
 /// Keypoint pairs, in drawing order: nose 0, neck 1, right arm 2-4, left arm 5-7, right leg 8-10, left leg 11-13,
@@ -70,22 +70,22 @@ pub(crate) fn strokes(scene: &Scene<'_>, size: [u32; 2]) -> Vec<Stroke> {
         }
     }
     let ndc = |p: Vec2| [p.x / size.x * 2.0 - 1.0, 1.0 - p.y / size.y * 2.0, 0.0];
-    let stroke = |a: Vec2, b: Vec2, [r, g, b2]: [u8; 3], ellipse: f32| Stroke {
+    let stroke = |a: Vec2, b: Vec2, [r, g, b2]: [u8; 3], form: Form| Stroke {
         from: ndc(a),
         to: ndc(b),
         color: [r, g, b2, 255],
         outline: [0; 4],
-        shape: [radius, 0.0, 0.0, ellipse],
+        shape: [radius, 0.0, 0.0, form as u8 as f32],
     };
     let mut out = Vec::new();
     for person in &at {
         for (&(a, b), color) in LIMBS.iter().zip(COLORS) {
             if let (Some(a), Some(b)) = (person[a], person[b]) {
-                out.push(stroke(a, b, color.map(|c| (f32::from(c) * 0.6) as u8), 1.0));
+                out.push(stroke(a, b, color.map(|c| (f32::from(c) * 0.6) as u8), Form::Ellipse));
             }
         }
         for (p, color) in person.iter().zip(COLORS) {
-            out.extend(p.map(|p| stroke(p, p, color, 0.0)));
+            out.extend(p.map(|p| stroke(p, p, color, Form::Capsule)));
         }
     }
     out

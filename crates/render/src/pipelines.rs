@@ -18,6 +18,7 @@ pub(crate) struct Pipelines {
     backdrop: wgpu::ShaderModule,
     ground: wgpu::ShaderModule,
     overlay: wgpu::ShaderModule,
+    surfaces: wgpu::ShaderModule,
     made: HashMap<(Draw, Msaa), wgpu::RenderPipeline>,
 }
 
@@ -37,6 +38,7 @@ impl Pipelines {
             backdrop: module("backdrop", shaders::BACKDROP),
             ground: module("ground", shaders::GROUND),
             overlay: module("overlay", shaders::OVERLAY),
+            surfaces: module("surfaces", shaders::SURFACES),
             made: HashMap::new(),
         }
     }
@@ -62,6 +64,7 @@ impl Pipelines {
             Source::Backdrop => &self.backdrop,
             Source::Ground => &self.ground,
             Source::Overlay => &self.overlay,
+            Source::Surfaces => &self.surfaces,
         }
     }
 

@@ -6,6 +6,7 @@ use crate::overlay::Stroke;
 use crate::scene::Msaa;
 use crate::shadow::SOFT_FORMAT;
 use crate::skins::VERTEX_LAYOUTS;
+use crate::surfaces::{Corner, Shell};
 use crate::target::PICTURE_FORMAT;
 
 /// What a pipeline draws.
@@ -27,9 +28,13 @@ pub(crate) enum Draw {
     Shade,
     /// Lines and points: seen, hidden or both.
     Strokes(Seen),
+    /// Translucent balls.
+    Balls(Seen),
+    /// Translucent sheets.
+    Fans(Seen),
 }
 
-/// Which strokes a draw lets through.
+/// Which marks a draw lets through.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum Seen {
     /// Those before everything.
@@ -49,6 +54,7 @@ pub(crate) enum Source {
     Backdrop,
     Ground,
     Overlay,
+    Surfaces,
 }
 
 /// Which bind groups a draw reads; each has the scene's.
@@ -116,6 +122,17 @@ const STROKES: [Option<wgpu::VertexBufferLayout<'static>>; 1] = [Some(wgpu::Vert
     ],
 })];
 
+const BALLS: [Option<wgpu::VertexBufferLayout<'static>>; 1] = [Some(wgpu::VertexBufferLayout {
+    array_stride: size_of::<Shell>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4],
+})];
+const FANS: [Option<wgpu::VertexBufferLayout<'static>>; 1] = [Some(wgpu::VertexBufferLayout {
+    array_stride: size_of::<Corner>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4],
+})];
+
 impl Recipe {
     /// How to draw that into pictures of so many samples.
     pub fn of(draw: Draw, msaa: Msaa) -> Recipe {
@@ -144,7 +161,19 @@ impl Recipe {
             Draw::Shade => {
                 Recipe { groups: Groups::Soft, ..Recipe::surroundings(Ground, "vs_shade", "fs_shade") }
             }
-            Draw::Strokes(seen) => Recipe::strokes(seen, msaa),
+            Draw::Strokes(seen) => Recipe::marks(seen, msaa, ["vs_stroke", "fs_stroke", "fs_hidden"]),
+            Draw::Balls(seen) => Recipe {
+                source: Source::Surfaces,
+                buffers: &BALLS,
+                strip: false,
+                ..Recipe::marks(seen, msaa, ["vs_ball", "fs_ball", "fs_ball_hidden"])
+            },
+            Draw::Fans(seen) => Recipe {
+                source: Source::Surfaces,
+                buffers: &FANS,
+                strip: false,
+                ..Recipe::marks(seen, msaa, ["vs_fan", "fs_fan", "fs_fan_hidden"])
+            },
         }
     }
 
@@ -180,18 +209,19 @@ impl Recipe {
         }
     }
 
-    fn strokes(seen: Seen, msaa: Msaa) -> Recipe {
+    /// Vertex shader, fragment shader, and that for what lies behind something.
+    fn marks(seen: Seen, msaa: Msaa, [vertex, shown, hidden]: [&'static str; 3]) -> Recipe {
         let (fragment, compare) = match seen {
-            Seen::Before => ("fs_stroke", LessEqual),
-            Seen::Behind => ("fs_hidden", Greater),
-            Seen::Always => ("fs_stroke", Always),
+            Seen::Before => (shown, LessEqual),
+            Seen::Behind => (hidden, Greater),
+            Seen::Always => (shown, Always),
         };
         Recipe {
             buffers: &STROKES,
             samples: msaa.samples(),
             depth: Some(DepthRule { write: false, compare, slope_bias: 0.0 }),
             blend: Some(OVER),
-            ..Recipe::surroundings(Source::Overlay, "vs_stroke", fragment)
+            ..Recipe::surroundings(Source::Overlay, vertex, fragment)
         }
     }
 }

@@ -1,18 +1,21 @@
 //! The renderer: keeps what lives on the device and records one picture after another.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::Vec3;
 use rig::{Bounds, Mesh};
 
 use crate::figures::Figures;
+use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
-use crate::overlay::{Stroke, Strokes};
+use crate::overlay::{self, Layer, Overlay, Stroke};
 use crate::pipelines::Pipelines;
-use crate::recipe::{Draw, Seen};
+use crate::recipe::Draw;
 use crate::scene::{FigureView, Pass, Scene};
 use crate::shadow::ShadowMaps;
 use crate::skins::Skin;
+use crate::surfaces::{self, BALL_VERTICES, Corner, Shell};
 use crate::target::{Target, TargetKey};
 use crate::uniforms::SceneUniform;
 use crate::{DrawError, Gpu, openpose};
@@ -29,13 +32,11 @@ pub struct Renderer {
     scene_group: wgpu::BindGroup,
     figures: Figures,
     shadow: ShadowMaps,
-    strokes: wgpu::Buffer,
+    balls: LayeredBuffer<Shell>,
+    fans: LayeredBuffer<Corner>,
+    strokes: LayeredBuffer<Stroke>,
     target: Option<Target>,
 }
-
-/// Instance ranges of the strokes: tested, ghosted, on top.
-#[derive(Clone, Copy, Debug)]
-struct StrokeRanges([u32; 4]);
 
 impl Renderer {
     /// A renderer without meshes.
@@ -56,7 +57,9 @@ impl Renderer {
         Renderer {
             figures: Figures::new(device, &pipelines.layouts.figure, 1),
             shadow: ShadowMaps::new(device, &pipelines.layouts),
-            strokes: stroke_buffer(device, 256),
+            balls: LayeredBuffer::new("balls"),
+            fans: LayeredBuffer::new("fans"),
+            strokes: LayeredBuffer::new("strokes"),
             gpu: gpu.clone(),
             pipelines,
             skins: HashMap::new(),
@@ -103,12 +106,12 @@ impl Renderer {
     ) -> Result<&wgpu::TextureView, DrawError> {
         let size = self.checked_size(scene)?;
         self.prepare_target(TargetKey::of(scene.pass, size, scene.look.msaa));
-        let strokes = self.upload(scene, size);
+        self.upload(scene, size);
         self.prepare_pipelines(scene);
         if self.casts_shadow(scene) {
             self.record_shadow(encoder, scene);
         }
-        self.record_picture(encoder, scene, strokes);
+        self.record_picture(encoder, scene);
         self.picture_view().ok_or_else(|| DrawError::Driver("the picture's texture is gone".to_owned()))
     }
 
@@ -158,7 +161,7 @@ impl Renderer {
     }
 
     /// Writes all that changes from picture to picture.
-    fn upload(&mut self, scene: &Scene<'_>, size: [u32; 2]) -> StrokeRanges {
+    fn upload(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
         let Gpu { device, queue, .. } = &self.gpu;
         let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
         let casters: Vec<Vec3> = self.corners(&solid).collect();
@@ -167,53 +170,33 @@ impl Renderer {
         let depths = self.corners(scene.figures).map(|c| -view.transform_point3(c).z);
         let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
         let uniform = SceneUniform::of(scene, size, &light, range);
-        let (uniform, strokes) = match scene.pass {
-            Pass::OpenPose => {
-                let on_top = openpose::strokes(scene, size);
-                (uniform.flat(), Strokes { on_top, ..Strokes::default() })
-            }
-            Pass::Color => {
-                let scale = size[0] as f32 / scene.size[0] as f32;
-                (uniform, Strokes::of(scene.overlay, scale))
-            }
-            _ => (uniform, Strokes::default()),
-        };
+        let uniform = if scene.pass == Pass::OpenPose { uniform.flat() } else { uniform };
         queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&uniform));
         self.figures.write(device, queue, &self.pipelines.layouts.figure, scene.figures);
-        self.upload_strokes(&strokes)
+        self.upload_marks(scene, size);
     }
 
-    fn upload_strokes(&mut self, strokes: &Strokes) -> StrokeRanges {
-        let parts = [&strokes.tested, &strokes.ghosted, &strokes.on_top];
-        let all: Vec<Stroke> = parts.into_iter().flatten().copied().collect();
-        let bytes: &[u8] = bytemuck::cast_slice(&all);
-        if self.strokes.size() < bytes.len() as u64 {
-            self.strokes = stroke_buffer(&self.gpu.device, all.len().next_power_of_two());
-        }
-        if !bytes.is_empty() {
-            self.gpu.queue.write_buffer(&self.strokes, 0, bytes);
-        }
-        let mut ends = [0; 4];
-        for (i, part) in parts.into_iter().enumerate() {
-            ends[i + 1] = ends[i] + u32::try_from(part.len()).unwrap_or(0);
-        }
-        StrokeRanges(ends)
+    fn upload_marks(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
+        let strokes = match scene.pass {
+            Pass::OpenPose => openpose::strokes(scene, size).into_iter().map(|s| (Layer::OnTop, s)).collect(),
+            Pass::Color => overlay::strokes(scene.overlay, size[0] as f32 / scene.size[0] as f32),
+            _ => Layered::default(),
+        };
+        let seen = if scene.pass == Pass::Color { scene.overlay } else { &Overlay::EMPTY };
+        self.balls.write(&self.gpu, &surfaces::shells(seen));
+        self.fans.write(&self.gpu, &surfaces::corners(seen));
+        self.strokes.write(&self.gpu, &strokes);
     }
 
     fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
         let Some(msaa) = self.target.as_ref().map(|t| t.key.msaa) else { return };
         let mut draws = match scene.pass {
-            Pass::Color => vec![
-                Draw::Soften,
-                Draw::Backdrop,
-                Draw::Grid,
-                Draw::Shade,
-                Draw::Strokes(Seen::Before),
-                Draw::Strokes(Seen::Behind),
-                Draw::Strokes(Seen::Always),
-            ],
-            _ => vec![Draw::Strokes(Seen::Always)],
+            Pass::Color => vec![Draw::Soften, Draw::Backdrop, Draw::Grid, Draw::Shade],
+            _ => Vec::new(),
         };
+        draws.extend(self.balls.draws().map(|(_, seen, _)| Draw::Balls(seen)));
+        draws.extend(self.fans.draws().map(|(_, seen, _)| Draw::Fans(seen)));
+        draws.extend(self.strokes.draws().map(|(_, seen, _)| Draw::Strokes(seen)));
         if let Some(fragment) = fragment_of(scene.pass) {
             for view in scene.figures {
                 let two_sided = view.two_sided;
@@ -256,7 +239,7 @@ impl Renderer {
         }
     }
 
-    fn record_picture(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>, strokes: StrokeRanges) {
+    fn record_picture(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
         let Some(target) = &self.target else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
@@ -268,7 +251,7 @@ impl Renderer {
         pass.set_bind_group(1, &self.figures.group, &[0]);
         self.draw_figures(&mut pass, scene, is_solid);
         self.draw_figures(&mut pass, scene, |view| !is_solid(view));
-        self.draw_strokes(&mut pass, strokes);
+        self.draw_marks(&mut pass);
         drop(pass);
         if scene.pass == Pass::Color {
             self.record_surroundings(encoder, target, scene);
@@ -319,18 +302,30 @@ impl Renderer {
         }
     }
 
-    fn draw_strokes(&self, pass: &mut wgpu::RenderPass<'_>, StrokeRanges(ends): StrokeRanges) {
-        let [start, tested, ghosted, on_top] = ends;
-        let draws = [
-            (Seen::Behind, tested..ghosted),
-            (Seen::Before, start..ghosted),
-            (Seen::Always, ghosted..on_top),
-        ];
-        pass.set_vertex_buffer(0, self.strokes.slice(..));
-        for (seen, instances) in draws.into_iter().filter(|(_, r)| !r.is_empty()) {
-            if self.set_pipeline(pass, Draw::Strokes(seen)) {
-                pass.draw(0..4, instances);
-            }
+    /// Surfaces below lines and points.
+    fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        for (buffer, seen, range) in self.balls.draws() {
+            self.draw_buffer(pass, Draw::Balls(seen), buffer, 0..BALL_VERTICES, range);
+        }
+        for (buffer, seen, range) in self.fans.draws() {
+            self.draw_buffer(pass, Draw::Fans(seen), buffer, range, 0..1);
+        }
+        for (buffer, seen, range) in self.strokes.draws() {
+            self.draw_buffer(pass, Draw::Strokes(seen), buffer, 0..4, range);
+        }
+    }
+
+    fn draw_buffer(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        draw: Draw,
+        buffer: &wgpu::Buffer,
+        vertices: Range<u32>,
+        instances: Range<u32>,
+    ) {
+        if self.set_pipeline(pass, draw) {
+            pass.set_vertex_buffer(0, buffer.slice(..));
+            pass.draw(vertices, instances);
         }
     }
 
@@ -388,13 +383,4 @@ fn depth_attachment(
         depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store }),
         stencil_ops: None,
     }
-}
-
-fn stroke_buffer(device: &wgpu::Device, count: usize) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("strokes"),
-        size: (count * size_of::<Stroke>()) as u64,
-        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
 }

@@ -19,13 +19,13 @@ pub struct Scene<'a> {
     pub look: Look,
     /// Which picture of the scene.
     pub pass: Pass,
-    /// Lines and points over it; only in [`Pass::Color`].
+    /// Marks over it; only in [`Pass::Color`].
     pub overlay: &'a Overlay,
     /// COCO keypoints by number (0 nose … 17 left ear), world space, metres; only for [`Pass::OpenPose`].
     pub keypoints: &'a [(usize, DVec3)],
 }
 
-static NO_MARKS: Overlay = Overlay { lines: Vec::new(), markers: Vec::new() };
+static NO_MARKS: Overlay = Overlay::EMPTY;
 
 impl<'a> Scene<'a> {
     /// A colour picture of figures, without marks.

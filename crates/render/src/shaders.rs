@@ -24,6 +24,9 @@ pub(crate) const GROUND: &str =
 /// Lines and points.
 pub(crate) const OVERLAY: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/overlay.wgsl"));
+/// Balls and sheets.
+pub(crate) const SURFACES: &str =
+    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/surfaces.wgsl"));
 /// The picture into another pass.
 pub(crate) const BLIT: &str = include_str!("../../../shaders/blit.wgsl");
 
@@ -32,13 +35,14 @@ mod tests {
     use wgpu::naga;
 
     /// Every source, so that a file that no picture happens to use is still checked.
-    const ALL: [(&str, &str); 7] = [
+    const ALL: [(&str, &str); 8] = [
         ("figure", super::FIGURE),
         ("shadow", super::SHADOW),
         ("soften", super::SOFTEN),
         ("backdrop", super::BACKDROP),
         ("ground", super::GROUND),
         ("overlay", super::OVERLAY),
+        ("surfaces", super::SURFACES),
         ("blit", super::BLIT),
     ];
 

@@ -5,7 +5,8 @@ use std::sync::{LazyLock, Mutex};
 
 use glam::{DVec3, Mat4, Vec2, Vec3};
 use render::{
-    Blit, DrawError, FigureView, Gpu, Image, Layer, Line, Look, Marker, Msaa, Overlay, Pass, Renderer, Scene,
+    Ball, Blit, DrawError, Fan, FigureView, Gpu, Image, Layer, Line, Look, Marker, Msaa, Overlay, Pass,
+    Renderer, Scene, Shape,
 };
 use rig::{Bone, Camera, Palette, Projection, View};
 
@@ -111,7 +112,12 @@ fn left_shows_the_left_hand_toward_the_viewer() {
 fn the_same_scene_gives_the_same_bytes_on_another_device() {
     let palette = body::standing();
     let figures = [FigureView { selected: &[Bone::Head], ..FigureView::new(&palette) }];
-    let overlay = Overlay { lines: vec![line(Layer::Ghosted)], markers: vec![marker(Layer::Tested)] };
+    let overlay = Overlay {
+        lines: vec![line(Layer::Ghosted)],
+        markers: vec![marker(Layer::Tested)],
+        balls: vec![ball(Layer::Ghosted)],
+        fans: vec![Fan { rim: vec![Vec3::X, Vec3::Y, Vec3::Z], ..fan(Layer::Ghosted) }],
+    };
     let picture = |gpu: &Gpu| {
         let mut renderer = Renderer::new(gpu);
         renderer.set_mesh(0, &body::mesh()).unwrap();
@@ -154,7 +160,130 @@ fn line(layer: Layer) -> Line {
 
 fn marker(layer: Layer) -> Marker {
     let black = [0, 0, 0, 255];
-    Marker { at: CENTER, radius_px: 5.0, color: [255, 0, 0, 255], outline: black, outline_px: 3.0, layer }
+    Marker {
+        at: CENTER,
+        radius_px: 5.0,
+        color: [255, 0, 0, 255],
+        outline: black,
+        outline_px: 3.0,
+        layer,
+        shape: Shape::Disc,
+    }
+}
+
+/// A ball half as large again as the one that is the figure, around it.
+fn ball(layer: Layer) -> Ball {
+    Ball { center: CENTER, radius_m: 1.5 * RADIUS, color: [0, 255, 0, 255], layer }
+}
+
+/// A square a little behind the figure's middle, upright, as wide as the figure's ball and half as much again.
+fn fan(layer: Layer) -> Fan {
+    let mut overlay = Overlay::EMPTY;
+    let half = 1.5 * RADIUS;
+    let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+    overlay.polygon(&corners.map(|[x, y]| CENTER + Vec3::new(x, y, 0.0)), [0, 255, 0, 128], layer);
+    overlay.fans.remove(0)
+}
+
+/// How much greener than red a colour is.
+fn green(pixel: [u8; 4]) -> i32 {
+    i32::from(pixel[1]) - i32::from(pixel[0])
+}
+
+#[test]
+fn a_ball_is_clear_in_the_middle_dense_at_the_rim_and_nowhere_else() {
+    let mut renderer = renderer_of(&body::ball(CENTER, 0.01));
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let camera = Camera { target: CENTER, projection, ..Camera::default() };
+        let look = Look { grid: false, ..Look::default() };
+        let overlay = Overlay { balls: vec![ball(Layer::Tested)], ..Overlay::EMPTY };
+        let shot = |overlay| Scene { overlay, look, ..Scene::new(&[], camera, SIZE) };
+        let empty = Overlay::EMPTY;
+        let bare = draw(&mut renderer, &shot(&empty));
+        let image = draw(&mut renderer, &shot(&overlay));
+        let middle = pixels() * 0.5;
+        let radius_px = match projection {
+            Projection::Perspective => {
+                let sine = ball(Layer::Tested).radius_m / camera.distance;
+                sine / (1.0 - sine * sine).sqrt() * camera.distance
+            }
+            Projection::Orthographic => ball(Layer::Tested).radius_m,
+        } / camera.metres_per_pixel(CENTER, pixels().y);
+        // Between two lines of the net.
+        let aside = Vec2::new(0.7, -0.7).normalize();
+        let tint = |share: f32| green(at(&image, middle + aside * radius_px * share));
+        let plain = green(at(&bare, middle));
+        assert!((10..80).contains(&(tint(0.3) - plain)), "{projection:?}: middle {}", tint(0.3));
+        assert!(tint(0.985) > tint(0.3) + 80, "{projection:?}: rim {}", tint(0.985));
+        for outside in [1.03, 1.2] {
+            let p = middle + aside * radius_px * outside;
+            assert_eq!(at(&image, p), at(&bare, p), "{projection:?}");
+        }
+    }
+}
+
+#[test]
+fn a_ball_is_seen_from_within() {
+    let mut renderer = Renderer::new(&GPU);
+    let camera = Camera { target: CENTER, distance: 0.5, ..Camera::default() };
+    let overlay = Overlay { balls: vec![Ball { radius_m: 2.0, ..ball(Layer::Tested) }], ..Overlay::EMPTY };
+    let bare = draw(&mut renderer, &Scene::new(&[], camera, SIZE));
+    let image = draw(&mut renderer, &Scene { overlay: &overlay, ..Scene::new(&[], camera, SIZE) });
+    assert!(each_pixel().all(|p| green(at(&image, p)) > green(at(&bare, p))), "all of it is tinted");
+    let line = each_pixel().map(|p| green(at(&image, p)) - green(at(&bare, p))).max().unwrap();
+    assert!(line > 30, "and the net shows: {line}");
+}
+
+#[test]
+fn surfaces_behind_the_figure_are_hidden_faint_or_whole_as_asked() {
+    let mut renderer = renderer_of(&body::ball(CENTER, RADIUS));
+    let figures = [FigureView::new(&Palette::REST)];
+    let camera = Camera { target: CENTER, ..Camera::default() };
+    let mut tints = |overlay: &Overlay| {
+        let image = draw(&mut renderer, &Scene { overlay, ..Scene::new(&figures, camera, SIZE) });
+        let beside = Vec2::new(1.3 * RADIUS, 0.13 * RADIUS) / camera.metres_per_pixel(CENTER, pixels().y);
+        let within = Vec2::new(0.4, 0.13) * beside.x;
+        [within, beside].map(|off| green(at(&image, pixels() * 0.5 + off)))
+    };
+    let bare = tints(&Overlay::EMPTY);
+    let mut of = |layer| tints(&Overlay { fans: vec![fan(layer)], ..Overlay::EMPTY });
+    let [tested, ghosted, on_top] = [of(Layer::Tested), of(Layer::Ghosted), of(Layer::OnTop)];
+    assert_eq!(tested[0], bare[0], "the sheet is behind the figure's front");
+    assert!(ghosted[0] > bare[0] + 15 && on_top[0] > ghosted[0] + 40, "{ghosted:?} {on_top:?}");
+    for tints in [tested, ghosted, on_top] {
+        assert!(tints[1] > bare[1] + 90, "beside the figure it is whole: {tints:?}");
+    }
+    let mut of = |layer| tints(&Overlay { balls: vec![ball(layer)], ..Overlay::EMPTY });
+    let [tested, ghosted, on_top] = [of(Layer::Tested), of(Layer::Ghosted), of(Layer::OnTop)];
+    assert!(bare[0] + 5 < tested[0], "the near half lies before the figure: {tested:?}");
+    assert!(tested[0] < ghosted[0] && ghosted[0] < on_top[0], "{tested:?} {ghosted:?} {on_top:?}");
+    assert_eq!([tested[1], ghosted[1]], [on_top[1]; 2], "beside the figure nothing hides it");
+}
+
+#[test]
+fn marks_of_each_shape_differ() {
+    let mut renderer = Renderer::new(&GPU);
+    let camera = Camera { target: CENTER, ..Camera::default() };
+    let mut red_at = |shape, off: [f32; 2]| {
+        let mark = Marker { radius_px: 20.0, shape, outline_px: 0.0, ..marker(Layer::OnTop) };
+        let overlay = Overlay { markers: vec![mark], ..Overlay::EMPTY };
+        let image = draw(&mut renderer, &Scene { overlay: &overlay, ..Scene::new(&[], camera, SIZE) });
+        at(&image, pixels() * 0.5 + Vec2::from(off)) == [255, 0, 0, 255]
+    };
+    // Places: the middle, near the edge to the right, near the edge diagonally, beyond the disc to the right and
+    // diagonally beyond it.
+    let places = [[0.0, 0.0], [18.0, 0.0], [13.5, 13.5], [23.0, 0.0], [16.0, 16.0]];
+    let expected = [
+        (Shape::Disc, [true, true, true, false, false]),
+        (Shape::Ring, [false, true, true, false, false]),
+        (Shape::Diamond, [true, true, false, true, false]),
+        (Shape::Square, [true, false, true, false, true]),
+        (Shape::Cross, [true, false, true, false, true]),
+    ];
+    for (shape, inside) in expected {
+        assert_eq!(places.map(|p| red_at(shape, p)), inside, "{shape:?}");
+    }
+    assert!(!red_at(Shape::Cross, [12.0, 0.0]) && red_at(Shape::Square, [12.0, 0.0]));
 }
 
 #[test]
@@ -168,14 +297,14 @@ fn marks_are_hidden_faint_or_on_top_as_asked() {
         draw(&mut renderer, &scene)
     };
     let bare = at(&seen(&Overlay::default()), middle);
-    let mut with = |layer| seen(&Overlay { lines: vec![line(layer)], markers: vec![] });
+    let mut with = |layer| seen(&Overlay { lines: vec![line(layer)], ..Overlay::EMPTY });
     assert_eq!(at(&with(Layer::Tested), middle), bare, "behind the ball");
     assert_eq!(at(&with(Layer::OnTop), middle), [0, 255, 0, 255]);
     let faint = at(&with(Layer::Ghosted), middle);
     assert!(faint != bare && faint[0] > 60, "{faint:?} over {bare:?}");
     let free = Vec2::new(12.0, middle.y);
     assert_eq!(at(&with(Layer::Tested), free), [0, 255, 0, 255], "beside the ball");
-    let dot = seen(&Overlay { lines: vec![], markers: vec![marker(Layer::OnTop)] });
+    let dot = seen(&Overlay { markers: vec![marker(Layer::OnTop)], ..Overlay::EMPTY });
     assert_eq!(at(&dot, middle), [255, 0, 0, 255]);
     assert_eq!(at(&dot, middle + Vec2::new(6.5, 0.0)), [0, 0, 0, 255]);
     assert_eq!(at(&dot, middle + Vec2::new(12.0, 0.0))[0].abs_diff(bare[0]) / 16, 0);
@@ -194,7 +323,7 @@ fn a_dashed_line_has_gaps_and_a_line_into_the_eye_is_cut() {
     };
     let behind =
         Line { from: Vec3::new(0.0, 0.2, 0.0), to: eye + Vec3::new(0.0, 0.3, 1.0), dash_px: 0.0, ..dashed };
-    let overlay = Overlay { lines: vec![dashed, behind], markers: vec![] };
+    let overlay = Overlay { lines: vec![dashed, behind], ..Overlay::EMPTY };
     let image = draw(&mut renderer, &Scene { overlay: &overlay, ..Scene::new(&[], camera, SIZE) });
     let green = |p: [u8; 4]| p[1] > 200 && p[0] < 60;
     let row: Vec<bool> = (110..210).map(|x| green(image.pixel(x, 120).unwrap())).collect();

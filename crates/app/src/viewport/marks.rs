@@ -2,7 +2,7 @@
 
 use edit::{Axis, Editor};
 use glam::{DVec3, Vec3};
-use render::{Color, Layer, Line, Marker, Overlay};
+use render::{Color, Layer, Line, Marker, Overlay, Shape};
 use rig::{Bone, Contact, Limb, Part, Reacher};
 
 use crate::theme;
@@ -73,6 +73,7 @@ fn joints(overlay: &mut Overlay, editor: &Editor, selected: Option<Bone>, scale:
             outline: [24, 24, 26, 150],
             outline_px: 1.0 * scale,
             layer: Layer::OnTop,
+            shape: Shape::Disc,
         });
     }
 }
@@ -89,6 +90,7 @@ fn reach(overlay: &mut Overlay, editor: &Editor, limb: Limb, scale: f32) {
         outline: [20, 20, 22, 190],
         outline_px: 1.0 * scale,
         layer: Layer::OnTop,
+        shape: Shape::Disc,
     });
     let held = editor.pose().limb(limb).contact != Contact::Free;
     let missed = view.residual > MET_M;
