@@ -46,7 +46,9 @@ pub use limb::{Limb, LimbParts};
 pub use limb_rig::LimbRigs;
 pub use mesh::Mesh;
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
-pub use pose_file::{POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_pose};
+pub use pose_file::{
+    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_parts, write_pose,
+};
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{PALETTE_LEN, Palette, SkinBounds, skin_normals, skin_position, skin_positions};

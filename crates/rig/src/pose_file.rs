@@ -7,7 +7,8 @@ use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{
-    Angles, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Place, Pose, PosePatch, Reacher, Space,
+    Angles, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Part, Place, Pose, PosePatch, Reacher,
+    Space,
 };
 
 /// What is wrong with a text, and where.
@@ -279,7 +280,15 @@ pub fn check_patch(figure: &Figure, patch: &PosePatch) -> Result<(), GestureErro
 
 /// Writes a whole pose: every joint of the figure, one a line. Reading it back gives the same bits.
 pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
-    let joints = figure.skeleton.joints().filter(|joint| joint.dofs().next().is_some()).map(|joint| {
+    write_parts(figure, pose, &[])
+}
+
+/// Writes some parts of a pose, all if none is named: arms and legs with what they hold on to, the torso with the
+/// hips. Where the figure stands is written with the whole only.
+pub fn write_parts(figure: &Figure, pose: &Pose, parts: &[Part]) -> String {
+    let wanted = |part: Part| parts.is_empty() || parts.contains(&part);
+    let joints = figure.skeleton.joints().filter(|joint| joint.dofs().next().is_some());
+    let joints = joints.filter(|joint| wanted(joint.bone.part())).map(|joint| {
         let angles = pose.angles(joint.bone);
         let value = |dof| joint.has(dof).then(|| Number(angles.get(dof)));
         let text = AnglesText {
@@ -289,15 +298,15 @@ pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
         };
         (joint.bone, text)
     });
+    let limbs = Limb::ALL.into_iter().filter(|limb| wanted(limb.parts().root.part()));
+    let place = PlaceText { position: pose.place.position.into(), turn: Number(pose.place.turn) };
     let file = PoseText {
         version: POSE_VERSION,
         figure: Some(figure.name.clone()),
-        place: Some(PlaceText { position: pose.place.position.into(), turn: Number(pose.place.turn) }),
-        hips: Some(pose.hips.into()),
+        place: parts.is_empty().then_some(place),
+        hips: wanted(Part::Torso).then(|| pose.hips.into()),
         joints: joints.collect(),
-        limbs: LimbsText(
-            Limb::ALL.into_iter().map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect(),
-        ),
+        limbs: LimbsText(limbs.map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect()),
     };
     let pretty = ron::ser::PrettyConfig::new().depth_limit(2).separate_tuple_members(false).new_line("\n");
     let mut text = options().to_string_pretty(&file, pretty).unwrap_or_default();

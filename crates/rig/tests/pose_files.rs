@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use rig::{
-    Bone, Contact, Dof, Figure, Limb, LimbState, Pose, Reacher, Space, TextFault, parse_pose, write_pose,
+    Bone, Contact, Dof, Figure, Limb, LimbState, Part, Pose, Reacher, Space, TextFault, parse_pose,
+    write_parts, write_pose,
 };
 
 fn figure() -> &'static Figure {
@@ -159,4 +160,18 @@ fn contacts_in_a_circle_are_named() {
     assert!(fault.contains("leftArm -> rightArm -> leftArm"), "{fault}");
     let patch = parse_pose(&write_pose(figure, &pose)).unwrap();
     assert!(rig::check_patch(figure, &patch).is_err());
+}
+
+#[test]
+fn parts_of_a_pose_are_written_alone() {
+    let figure = figure();
+    let pose = busy_pose(figure, &[0.3, -0.7, 0.2]);
+    let some = [Part::LeftArm, Part::LeftHand];
+    let patch = parse_pose(&write_parts(figure, &pose, &some)).unwrap();
+    assert!(patch.place.is_none() && patch.hips.is_none());
+    assert!(patch.joints.keys().all(|bone| some.contains(&bone.part())) && patch.joints.len() > 15);
+    assert_eq!(patch.limbs.keys().copied().collect::<Vec<_>>(), [Limb::LeftArm]);
+    let torso = parse_pose(&write_parts(figure, &pose, &[Part::Torso])).unwrap();
+    assert!(torso.hips == Some(pose.hips) && torso.limbs.is_empty() && torso.place.is_none());
+    assert_eq!(write_parts(figure, &pose, &[]), write_pose(figure, &pose));
 }
