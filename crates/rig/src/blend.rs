@@ -64,6 +64,13 @@ fn settle(
     set: &[Limb],
     ranges: bool,
 ) -> Result<Moved, GestureError> {
+    let locks = figure.skeleton.locks();
+    for bone in locks.iter() {
+        pose.angles[bone.index()] = before.angles(bone);
+    }
+    if locks.contains(Bone::Hips) {
+        pose.hips = before.hips;
+    }
     for limb in set {
         hold_here(figure, &mut pose, *limb);
     }
@@ -208,7 +215,7 @@ pub fn reset(figure: &Figure, before: &Pose, parts: &[Part], ranges: bool) -> Re
 /// Limbs that can't be solved.
 pub fn mirror(figure: &Figure, before: &Pose, parts: &[Part], ranges: bool) -> Result<Moved, GestureError> {
     let image = mirrored_pose(before);
-    if parts.is_empty() {
+    if parts.is_empty() && figure.skeleton.locks().is_empty() {
         return Ok(Moved { pose: image, clamped: false });
     }
     let wanted = wanted(parts);

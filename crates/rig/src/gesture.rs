@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::contacts::{contact_order, hold_here, keep_contacts};
+use crate::lock::check_unlocked;
 use crate::reach::{Elevate, Grip};
 use crate::{Articulator, Bone, Contact, Figure, GestureError, Limb, Moved, Pose, Reacher, Space, frames};
 
@@ -26,9 +27,22 @@ pub fn reach(
     target: Target,
     ranges: bool,
 ) -> Result<Moved, GestureError> {
+    reach_from(figure, before, before.clone(), limb, target, ranges)
+}
+
+/// As [`reach`] with torso and collar brought along already in `pose`; elevation and branch are those of `before`.
+pub(crate) fn reach_from(
+    figure: &Figure,
+    before: &Pose,
+    mut pose: Pose,
+    limb: Limb,
+    target: Target,
+    ranges: bool,
+) -> Result<Moved, GestureError> {
     finite(target.point, "the target")?;
-    let mut pose = before.clone();
-    let now = frames(figure, before);
+    let parts = limb.parts();
+    check_unlocked(&figure.skeleton, &[parts.root, parts.hinge])?;
+    let now = frames(figure, &pose);
     match &mut pose.limbs[limb.index()].contact {
         Contact::Free => {}
         Contact::Point { space, target: held } => (*space, *held) = (target.space, target.point),
@@ -65,6 +79,7 @@ pub fn elevate(
     if !degrees.is_finite() {
         return Err(GestureError::NotFinite { what: "the elevation" });
     }
+    check_unlocked(&figure.skeleton, &[limb.parts().root])?;
     let grip = Grip::new(figure, before, limb, ranges)?;
     let sense = if limb.is_arm() { 1.0 } else { -1.0 };
     let goal =
@@ -91,6 +106,9 @@ fn replant(figure: &Figure, pose: &mut Pose, limb: Limb, ranges: bool) -> Result
 /// # Errors
 /// The other bend is out of range; else as [`reach`].
 pub fn flip(figure: &Figure, before: &Pose, limb: Limb, ranges: bool) -> Result<Moved, GestureError> {
+    let parts = limb.parts();
+    check_unlocked(&figure.skeleton, &[parts.root])?;
+    check_unlocked(&figure.skeleton, &[parts.hinge])?;
     let grip = Grip::new(figure, before, limb, ranges)?;
     let mut pose = before.clone();
     let mut clamped = grip.flip(&mut pose)?;
@@ -159,6 +177,7 @@ pub fn keep(figure: &Figure, before: &Pose, limb: Limb, contact: Contact) -> Res
 /// Numbers that are not finite, limbs that can't be solved.
 pub fn move_hips(figure: &Figure, before: &Pose, by: DVec3, ranges: bool) -> Result<Moved, GestureError> {
     finite(by, "the shift")?;
+    check_unlocked(&figure.skeleton, &[Bone::Hips])?;
     let mut pose = before.clone();
     pose.hips += pose.place.world_from_figure().rotation.conjugate() * by;
     let clamped = keep_contacts(figure, before, &mut pose, &[], ranges)?;

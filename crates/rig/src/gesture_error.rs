@@ -30,6 +30,8 @@ pub enum GestureError {
     NoHandshape { name: String, known: String },
     #[error("balance needs a foot in contact with the ground or another still thing: keep one first")]
     NoSupport,
+    #[error("\"{0}\" is locked: unlock it first")]
+    Locked(Bone),
     #[error("the point to aim at is at the joint that aims")]
     NoDirection,
 }

@@ -17,6 +17,8 @@ pub(crate) struct LimbRig {
     pub ranges: LimbRanges,
     /// What carries the root joint.
     pub base: Bone,
+    /// Whether the root keeps its angles, so that the hinge alone can reach.
+    pub root_locked: bool,
     root_offset: DVec3,
     axes: Axes,
 }
@@ -69,6 +71,7 @@ impl LimbRig {
             kin: kin::Limb::new(knee, axis, Carrier::Swing { base }).ok()?,
             ranges: LimbRanges { root: axes.root_range(root)?, hinge: radians(flexion.range) },
             base: root.carrier?,
+            root_locked: skeleton.locks().contains(parts.root),
             root_offset: root.offset,
             axes,
         })

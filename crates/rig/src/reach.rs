@@ -1,13 +1,13 @@
 //! Inverse gestures on one limb: reach, elevate, flip, and following its contact.
 
-use std::f64::consts::FRAC_PI_6;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 use glam::{DQuat, DVec3};
 use kin::{Degenerate, LimbGoal, LimbRanges, LimbState, wrapped};
 
 use crate::end::turn_end;
-use crate::limb_rig::LimbRig;
-use crate::{Angles, Bone, Contact, Figure, Frames, GestureError, Limb, Pose};
+use crate::limb_rig::{LimbRig, set};
+use crate::{Angles, Bone, Contact, Dof, Figure, Frames, GestureError, Limb, Pose};
 
 /// How far a reach may change the elevation to stay inside the ranges, radians.
 const WINDOW: f64 = FRAC_PI_6;
@@ -80,6 +80,9 @@ impl<'a> Grip<'a> {
         let target = self.rig.target_in_limb(frames[self.rig.base].inverse().point(target_in_world));
         let goal = LimbGoal { target, ..*kept };
         let fault = |why| GestureError::Degenerate { limb, why };
+        if self.rig.root_locked {
+            return Ok(self.bring_by_hinge(pose, in_hinge, target));
+        }
         if self.strict {
             let held =
                 self.rig.kin.hold_within(in_hinge, &goal, &self.from, &self.limits(), 1e-9).map_err(fault)?;
@@ -99,6 +102,30 @@ impl<'a> Grip<'a> {
         let reach = reach.map_err(fault)?;
         self.rig.write(self.figure, pose, &reach.state);
         Ok(reach.limited || reach.residual > MET)
+    }
+
+    /// Bends the hinge so that a point of the limb comes nearest to a target in the limb frame, the root being locked.
+    ///
+    /// Bending carries the point round a circle, p(g) = c + u cos g + v sin g; the nearest is where the target's
+    /// direction from the centre lies.
+    fn bring_by_hinge(&self, pose: &mut Pose, in_hinge: DVec3, target: DVec3) -> bool {
+        let at = |hinge: f64| self.rig.kin.articulator(&LimbState { hinge, ..self.from }, in_hinge);
+        let center = (at(0.0) + at(PI)) * 0.5;
+        let (u, v) = (at(0.0) - center, at(FRAC_PI_2) - center);
+        let toward = target - center;
+        let nearest = toward.dot(v).atan2(toward.dot(u));
+        let range = self.limits().hinge.reaching(self.from.hinge);
+        let free = self.from.hinge + wrapped(nearest - self.from.hinge);
+        let missed = |hinge: &f64| at(*hinge).distance(target);
+        let ends = [range.min, range.max];
+        let hinge = if range.contains(free) {
+            free
+        } else {
+            let ends = ends.into_iter().filter(|end| end.is_finite());
+            ends.min_by(|a, b| missed(a).total_cmp(&missed(b))).unwrap_or(free)
+        };
+        set(pose, self.rig.limb.parts().hinge, Dof::Flexion, hinge.to_degrees());
+        missed(&hinge) > MET
     }
 
     /// Brings the limb to the target of a contact: the pose's root, hinge and, if planted, end.

@@ -2,13 +2,15 @@
 
 use glam::DVec3;
 
-use crate::{Bone, Joint};
+use crate::{Bone, Joint, Locks};
 
 /// A humanoid skeleton at rest in the VRM T pose: every joint frame along the world axes.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Skeleton {
     joints: [Option<Joint>; Bone::COUNT],
     rest: [DVec3; Bone::COUNT],
+    /// Joints whose ranges are narrowed to where they are.
+    locks: Locks,
 }
 
 /// Why joints do not make a skeleton.
@@ -61,7 +63,19 @@ impl Skeleton {
                 Some(carrier) => return Err(SkeletonError::Carrier { bone, carrier }),
             }
         }
-        Ok(Skeleton { joints, rest })
+        Ok(Skeleton { joints, rest, locks: Locks::NONE })
+    }
+
+    /// The joints that are locked.
+    pub fn locks(&self) -> Locks {
+        self.locks
+    }
+
+    /// The skeleton with other ranges, and the joints that those lock.
+    pub(crate) fn changed(&self, locks: Locks, mut change: impl FnMut(&mut Joint)) -> Skeleton {
+        let mut skeleton = Skeleton { locks, ..self.clone() };
+        skeleton.joints.iter_mut().flatten().for_each(&mut change);
+        skeleton
     }
 
     /// The joint of a bone, if the figure has it.

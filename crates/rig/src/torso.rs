@@ -6,6 +6,7 @@ use kin::{Column, ColumnState, Eye, Frame, Gaze, Interval};
 use crate::contacts::keep_contacts;
 use crate::gesture::{finite, present};
 use crate::limb_rig::{radians, set};
+use crate::lock::check_unlocked;
 use crate::{Articulation, Bone, Dof, Figure, GestureError, Joint, Moved, Pose, frames};
 
 /// Bends the spine evenly so that the line from its first joint to the neck points at a world point, with a total
@@ -24,6 +25,7 @@ pub fn aim_spine(
     if !twist.is_finite() {
         return Err(GestureError::NotFinite { what: "the twist" });
     }
+    check_unlocked(&figure.skeleton, &SPINE)?;
     let spine = Spine::of(figure)?;
     let [first, ..] = spine.joints;
     let base = frames(figure, before)[Bone::Hips].then(Frame::new(DQuat::IDENTITY, first.offset));
@@ -47,20 +49,42 @@ pub fn spine_twist(figure: &Figure, pose: &Pose) -> Option<f64> {
     Some(state.bend.twist.to_degrees())
 }
 
+/// The joints of the spine, from the hips up.
+const SPINE: [Bone; 3] = [Bone::Spine, Bone::Chest, Bone::UpperChest];
+
 /// The three joints of the spine as one column.
-struct Spine<'a> {
+pub(crate) struct Spine<'a> {
     joints: [&'a Joint; 3],
     column: Column<3>,
 }
 
 impl<'a> Spine<'a> {
-    fn of(figure: &'a Figure) -> Result<Spine<'a>, GestureError> {
+    pub(crate) fn of(figure: &'a Figure) -> Result<Spine<'a>, GestureError> {
         let [spine, chest, upper, neck] =
             [Bone::Spine, Bone::Chest, Bone::UpperChest, Bone::Neck].map(|bone| present(figure, bone));
         let (joints, neck) = ([spine?, chest?, upper?], neck?);
         let segments = [joints[1].offset, joints[2].offset, neck.offset];
         let column = Column::new(segments).map_err(|_| GestureError::NoDirection)?;
         Ok(Spine { joints, column })
+    }
+
+    /// Bends and turns the spine further by a rotation vector in the hips' frame, radians, shared evenly; joints stop
+    /// at their ranges, and what an even bend can't express stays.
+    pub(crate) fn lean(
+        &self,
+        pose: &mut Pose,
+        before: &Pose,
+        by: DVec3,
+        ranges: bool,
+    ) -> Result<(), GestureError> {
+        let mut state = self.recover(before)?;
+        let about = self.column.axis();
+        state.bend.twist += by.dot(about);
+        state.bend.swing += by.reject_from_normalized(about);
+        for (joint, local) in self.joints.into_iter().zip(self.column.pose(&state)) {
+            turn_to(joint, pose, local, before, ranges);
+        }
+        Ok(())
     }
 
     fn recover(&self, pose: &Pose) -> Result<ColumnState<3>, GestureError> {
@@ -77,6 +101,7 @@ impl<'a> Spine<'a> {
 pub fn look_at(figure: &Figure, before: &Pose, at: DVec3, ranges: bool) -> Result<Moved, GestureError> {
     finite(at, "the point to look at")?;
     let (neck, head) = (present(figure, Bone::Neck)?, present(figure, Bone::Head)?);
+    check_unlocked(&figure.skeleton, &[Bone::Neck, Bone::Head, Bone::LeftEye, Bone::RightEye])?;
     let gaze = Gaze::new([head.offset, between_eyes(figure)], DVec3::Z, DVec3::Y)
         .map_err(|_| GestureError::NoDirection)?;
     let carrier = neck.carrier.unwrap_or(Bone::Hips);

@@ -3,6 +3,7 @@
 use kin::{Cone, Interval};
 
 use crate::contacts::{hold_here, keep_contacts};
+use crate::lock::check_unlocked;
 use crate::{Angles, Articulation, Bone, Dof, Figure, GestureError, Joint, Limb, Pose};
 
 /// What a gesture made of a pose.
@@ -107,6 +108,19 @@ pub fn turn(
     degrees: f64,
     ranges: bool,
 ) -> Result<Moved, GestureError> {
+    turn_along(figure, before, bone, dof, degrees, ranges, |_| ())
+}
+
+/// As [`turn`]; what the turned joint brings along is done to the pose before its limb's contact is read off it.
+pub(crate) fn turn_along(
+    figure: &Figure,
+    before: &Pose,
+    bone: Bone,
+    dof: Dof,
+    degrees: f64,
+    ranges: bool,
+    along: impl FnOnce(&mut Pose),
+) -> Result<Moved, GestureError> {
     let joint = figure.skeleton.joint(bone).ok_or(GestureError::NoBone(bone))?;
     if !joint.has(dof) {
         return Err(GestureError::NoDof { bone, dof, has: joint.dofs().collect() });
@@ -114,10 +128,12 @@ pub fn turn(
     if !degrees.is_finite() {
         return Err(GestureError::NotFinite { what: "the angle" });
     }
+    check_unlocked(&figure.skeleton, &[bone])?;
     let held =
         if ranges { live_range(joint, before.angles(bone), dof, true).clamp(degrees) } else { degrees };
     let mut pose = before.clone();
     pose.angles[bone.index()].set(dof, held);
+    along(&mut pose);
     let own = Limb::of(bone).filter(|limb| bone <= limb.parts().end);
     if let Some(limb) = own {
         hold_here(figure, &mut pose, limb);

@@ -2,6 +2,7 @@
 
 use crate::contacts::keep_contacts;
 use crate::evaluation::angle_between;
+use crate::lock::check_unlocked;
 use crate::reach::Grip;
 use crate::turn::bisected;
 use crate::{
@@ -39,6 +40,7 @@ pub fn turn_in_contact(
 ) -> Result<Moved, GestureError> {
     let bone = contact_joint(figure, limb, dof)?;
     let joint = crate::gesture::present(figure, bone)?;
+    check_unlocked(&figure.skeleton, &[bone])?;
     if !degrees.is_finite() {
         return Err(GestureError::NotFinite { what: "the angle" });
     }
