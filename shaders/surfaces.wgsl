@@ -4,8 +4,8 @@
 const HIDDEN: f32 = 0.28;
 const FAR_HALF: f32 = 0.6;
 // Quads around and down a ball, and lines of its net: whole numbers of the one between two of the other.
-const AROUND: u32 = 64u;
-const DOWN: u32 = 32u;
+const AROUND: u32 = 96u;
+const DOWN: u32 = 48u;
 const MERIDIANS: f32 = 16.0;
 const PARALLELS: f32 = 8.0;
 const TAU: f32 = 6.2831853;

@@ -64,7 +64,7 @@ enum Task {
         /// Pixels.
         #[arg(long, default_value = "1280x800", value_parser = size, value_name = "WxH")]
         size: [u32; 2],
-        /// From where: front, back, left, right, top or three-quarter.
+        /// From where: front, back, left, right, top, bottom or three-quarter.
         #[arg(long, default_value = "three-quarter")]
         view: rig::View,
         /// What each pixel says.

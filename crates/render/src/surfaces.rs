@@ -5,8 +5,8 @@ use bytemuck::{Pod, Zeroable};
 use crate::layered::Layered;
 use crate::overlay::{Color, Fan, Overlay};
 
-/// Vertices of a ball: two triangles for each of 64 by 32 quads, as in surfaces.wgsl.
-pub(crate) const BALL_VERTICES: u32 = 6 * 64 * 32;
+/// Vertices of a ball: two triangles for each of 96 by 48 quads, as in surfaces.wgsl.
+pub(crate) const BALL_VERTICES: u32 = 6 * 96 * 48;
 
 /// One instance of `Ball` in surfaces.wgsl.
 #[derive(Clone, Copy, PartialEq, Debug, Pod, Zeroable)]

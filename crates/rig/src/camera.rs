@@ -25,14 +25,16 @@ pub enum View {
     Right,
     /// From above, with the figure's front at the bottom of the picture.
     Top,
+    /// From below, with the figure's front at the top of the picture.
+    Bottom,
     /// From the front, the figure's left and a little above.
     ThreeQuarter,
 }
 
 impl View {
     /// Every view.
-    pub const ALL: [View; 6] =
-        [View::Front, View::Back, View::Left, View::Right, View::Top, View::ThreeQuarter];
+    pub const ALL: [View; 7] =
+        [View::Front, View::Back, View::Left, View::Right, View::Top, View::Bottom, View::ThreeQuarter];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -42,6 +44,7 @@ impl View {
             View::Left => "left",
             View::Right => "right",
             View::Top => "top",
+            View::Bottom => "bottom",
             View::ThreeQuarter => "three-quarter",
         }
     }
@@ -54,6 +57,7 @@ impl View {
             View::Left => (FRAC_PI_2, 0.0),
             View::Right => (-FRAC_PI_2, 0.0),
             View::Top => (0.0, FRAC_PI_2),
+            View::Bottom => (0.0, -FRAC_PI_2),
             View::ThreeQuarter => (35.0 * PI / 180.0, 12.0 * PI / 180.0),
         }
     }
@@ -155,6 +159,20 @@ impl Camera {
         Camera { yaw_rad, pitch_rad, ..self }
     }
 
+    /// The same camera from the other side of its target. Straight from above becomes straight from below with the
+    /// same side of the figure at the picture's right.
+    pub fn opposite(self) -> Camera {
+        let steep = self.pitch_rad.abs() > FRAC_PI_2 - 1e-3;
+        let yaw_rad = if steep { self.yaw_rad } else { half_turn(self.yaw_rad + PI) };
+        Camera { yaw_rad, pitch_rad: -self.pitch_rad, ..self }
+    }
+
+    /// The camera's angles are those of a named view, but for rounding.
+    pub fn is_at(&self, view: View) -> bool {
+        let (yaw_rad, pitch_rad) = view.angles_rad();
+        half_turn(self.yaw_rad - yaw_rad).abs() < 1e-4 && (self.pitch_rad - pitch_rad).abs() < 1e-4
+    }
+
     /// Moves target and distance so that the box is just inside the picture; an empty box changes nothing,
     /// a box of one point keeps the distance.
     pub fn frame(&mut self, bounds: Bounds, aspect: f32) {
@@ -179,7 +197,7 @@ impl Camera {
     /// Turns about the target; the pitch stops straight above and straight below.
     pub fn orbit(&mut self, yaw_rad: f32, pitch_rad: f32) {
         if yaw_rad.is_finite() && pitch_rad.is_finite() {
-            self.yaw_rad = (self.yaw_rad + yaw_rad + PI).rem_euclid(TAU) - PI;
+            self.yaw_rad = half_turn(self.yaw_rad + yaw_rad);
             self.pitch_rad = (self.pitch_rad + pitch_rad).clamp(-FRAC_PI_2, FRAC_PI_2);
         }
     }
@@ -273,6 +291,14 @@ impl Camera {
         }
     }
 
+    /// The world point seen at a pixel in the plane through the target that faces the camera.
+    pub fn point_under(&self, pixel: Vec2, size_px: Vec2) -> Vec3 {
+        let ray = self.ray(pixel, size_px);
+        let toward = self.axes().z_axis;
+        let depth = (self.target - ray.origin).dot(toward) / ray.direction.dot(toward);
+        ray.origin + ray.direction * depth
+    }
+
     /// The pixel of a world point, also outside the picture; `None` if the point is behind the eye.
     pub fn pixel_of(&self, point: Vec3, size_px: Vec2) -> Option<Vec2> {
         let size_px = size_px.max(Vec2::ONE);
@@ -292,6 +318,11 @@ impl Camera {
         };
         self.height_at_target() * depth / (self.distance * height_px.max(1.0))
     }
+}
+
+/// The same angle within a half turn of zero.
+fn half_turn(angle_rad: f32) -> f32 {
+    (angle_rad + PI).rem_euclid(TAU) - PI
 }
 
 #[cfg(test)]
@@ -349,6 +380,36 @@ mod tests {
         assert!(top.eye().y > 2.0);
         let nose = top.pixel_of(Vec3::new(0.0, 1.6, 0.2), SIZE).unwrap();
         assert!(nose.y > 400.0, "from the top the front is at the bottom: {nose}");
+        let bottom = Camera::view(View::Bottom, body(), 1.6);
+        assert!(bottom.eye().y < -1.0);
+        let nose = bottom.pixel_of(Vec3::new(0.0, 1.6, 0.2), SIZE).unwrap();
+        assert!(nose.y < 400.0, "from below the front is at the top: {nose}");
+    }
+
+    #[test]
+    fn the_opposite_view_looks_back_and_twice_opposite_is_the_same() {
+        for (view, opposite) in
+            [(View::Front, View::Back), (View::Left, View::Right), (View::Top, View::Bottom)]
+        {
+            let camera = Camera { target: Vec3::new(0.1, 0.8, 0.2), ..Camera::view(view, body(), 1.6) };
+            assert!(camera.opposite().is_at(opposite) && camera.is_at(view) && !camera.is_at(opposite));
+            assert!(camera.opposite().opposite().is_at(view));
+        }
+        for camera in cameras() {
+            let there = camera.opposite();
+            assert!((there.axes().z_axis + camera.axes().z_axis).length() < 1e-5, "{camera:?}");
+            assert_eq!((there.target, there.distance), (camera.target, camera.distance));
+        }
+    }
+
+    #[test]
+    fn the_point_under_a_pixel_is_seen_there_at_the_target_s_depth() {
+        for camera in cameras() {
+            let pixel = Vec2::new(301.0, 622.0);
+            let point = camera.point_under(pixel, SIZE);
+            assert!((camera.pixel_of(point, SIZE).unwrap() - pixel).length() < 0.01);
+            assert!((point - camera.target).dot(camera.axes().z_axis).abs() < 1e-4);
+        }
     }
 
     #[test]
