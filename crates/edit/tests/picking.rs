@@ -118,3 +118,62 @@ fn broken_meshes_and_odd_rays_meet_nothing() {
         assert_eq!(picker.pick(mesh, &palette, &evaluation.frames, ray), None);
     }
 }
+
+/// The distance from a point to the posed skin: every corner, and a grid over the triangles about it.
+fn distance(mesh: &Mesh, skin: &[Vec3], point: glam::DVec3) -> f64 {
+    let mut nearest = f64::INFINITY;
+    for triangle in mesh.indices.chunks_exact(3) {
+        let [a, b, c] = [0, 1, 2].map(|i| skin[triangle[i] as usize].as_dvec3());
+        if a.distance(point) > nearest + 0.1 {
+            continue;
+        }
+        for (i, j) in (0..=12).flat_map(|i| (0..=12 - i).map(move |j| (i, j))) {
+            let place = a + (b - a) * (f64::from(i) / 12.0) + (c - a) * (f64::from(j) / 12.0);
+            nearest = nearest.min(place.distance(point));
+        }
+    }
+    nearest
+}
+
+#[test]
+fn the_nearest_place_of_the_skin_is_the_nearest_of_all_triangles() {
+    let figure = interchange::figure::mannequin().unwrap();
+    let mesh = figure.skin.as_ref().unwrap();
+    let picker = SkinPicker::new(mesh);
+    let (_, palette) = posed(&figure, CROUCH);
+    let skin = skin_positions(mesh, &palette);
+    let mut seeded = Seeded(3);
+    let mut inside = 0;
+    for _ in 0..60 {
+        let mut at = |low, high| seeded.between(low, high);
+        let point = glam::DVec3::new(at(-0.4, 0.4), at(0.2, 1.7), at(-0.2, 0.3));
+        let near = picker.nearest_of(mesh, &palette, point, 9.0, |_| true).unwrap();
+        let (found, brute) = (near.height_m.abs(), distance(mesh, &skin, point));
+        assert!(found < brute + 1e-5 && brute < found + 2e-3, "{point}: {found} {brute}");
+        assert!((near.point_in_world.distance(point) - found).abs() < 1e-6);
+        inside += usize::from(near.height_m < 0.0);
+        assert_eq!(picker.nearest_of(mesh, &palette, point, 0.9 * found, |_| true), None);
+        let own = picker.nearest_of(mesh, &palette, point, 9.0, |bone| bone == near.bone).unwrap();
+        assert!((own.height_m.abs() - found).abs() < 1e-6);
+        let other = picker.nearest_of(mesh, &palette, point, 9.0, |bone| bone != near.bone).unwrap();
+        assert!(other.bone != near.bone && other.height_m.abs() >= found - 1e-6);
+    }
+    assert!((3..40).contains(&inside), "{inside}");
+}
+
+#[test]
+fn what_does_not_count_lets_the_ray_through() {
+    let figure = interchange::figure::mannequin().unwrap();
+    let mesh = figure.skin.as_ref().unwrap();
+    let picker = SkinPicker::new(mesh);
+    let (evaluation, palette) = posed(&figure, "(version: 1)");
+    // From the figure's left along the arms: hand, forearm, upper arm, body, and out on the other side.
+    let arm = evaluation.frames[Bone::LeftLowerArm].position;
+    let ray = Ray { origin: (arm + glam::DVec3::X * 3.0).as_vec3(), direction: -Vec3::X };
+    let pick = |counts: fn(Bone) -> bool| picker.pick_of(mesh, &palette, &evaluation.frames, ray, counts);
+    assert!(pick(|_| true).unwrap().bone >= Bone::LeftLowerArm);
+    let body = pick(|bone| rig::Limb::of(bone) != Some(rig::Limb::LeftArm)).unwrap();
+    assert_ne!(rig::Limb::of(body.bone), Some(rig::Limb::LeftArm));
+    assert!(body.point_in_world.x < 0.25, "{body:?}");
+    assert_eq!(pick(|_| false), None);
+}
