@@ -1,29 +1,41 @@
 //! The panel of sliders: one section a part of the body. It shows the editor's pose and returns what is asked for;
 //! of its own it keeps only what is open and what is chosen.
 
+mod body_map;
 mod figure;
+mod glyph;
 mod hand;
 mod head;
 mod joints;
 mod limb;
+mod overview;
 mod point;
 mod row;
 mod section;
 mod torso;
+mod tree;
 
 use edit::{Choose, Command, Editor, Request, Selection};
 use egui::{ScrollArea, Ui};
 use rig::{Bone, Part, Side, Skeleton};
 
 use crate::rail::Change;
+pub use overview::Overview;
 pub use section::Section;
+use tree::Tree;
 
 /// What the panel itself remembers: how it is looked at, nothing of the pose.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Panels {
     open: [bool; Section::ALL.len()],
     selection: Selection,
+    /// The bone to which the panel points, and the one to which the picture points.
+    hinted: Option<Bone>,
+    lit: Option<Bone>,
     reveal: bool,
+    reveal_row: bool,
+    overview: Overview,
+    tree: Tree,
     /// How much of a handshape a click takes on, 0 to 1, left and right.
     shape_amount: [f64; 2],
     /// How far ahead the point lies that the eyes look at, metres.
@@ -34,7 +46,18 @@ impl Default for Panels {
     fn default() -> Panels {
         let mut open = [false; Section::ALL.len()];
         open[Section::Body(Part::LeftArm).index()] = true;
-        Panels { open, selection: Selection::default(), reveal: false, shape_amount: [1.0; 2], gaze_m: 1.0 }
+        Panels {
+            open,
+            selection: Selection::default(),
+            hinted: None,
+            lit: None,
+            reveal: false,
+            reveal_row: false,
+            overview: Overview::default(),
+            tree: Tree::default(),
+            shape_amount: [1.0; 2],
+            gaze_m: 1.0,
+        }
     }
 }
 
@@ -49,6 +72,16 @@ impl Panels {
         &self.selection
     }
 
+    /// The bone on whose name, row or shape the pointer is.
+    pub fn hinted(&self) -> Option<Bone> {
+        self.hinted
+    }
+
+    /// Marks the bone whose skin the pointer is on.
+    pub fn light(&mut self, bone: Option<Bone>) {
+        self.lit = bone;
+    }
+
     /// Chooses a bone alone, or nothing; its section opens and scrolls to it.
     pub fn select(&mut self, bone: Option<Bone>) {
         self.selection = Selection::of(bone);
@@ -59,13 +92,22 @@ impl Panels {
     pub fn choose(&mut self, skeleton: &Skeleton, how: Choose) {
         self.selection.choose(skeleton, how);
         self.open_active();
+        if let Some(bone) = self.selected() {
+            self.tree.reveal(skeleton, bone);
+        }
     }
 
     fn open_active(&mut self) {
         if let Some(bone) = self.selected() {
             self.open[Section::Body(bone.part()).index()] = true;
             self.reveal = true;
+            self.reveal_row = true;
         }
+    }
+
+    /// Shows the body map, the tree of joints, or neither.
+    pub fn set_overview(&mut self, overview: Overview) {
+        self.overview = overview;
     }
 
     /// Opens or closes a section.
@@ -75,7 +117,9 @@ impl Panels {
 
     /// Shows the panel; returns what was asked for.
     pub fn show(&mut self, ui: &mut Ui, editor: &Editor) -> Vec<Request> {
+        self.hinted = None;
         let mut sheet = Sheet { editor, panels: self, requests: Vec::new() };
+        sheet.overview(ui);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             for section in Section::ALL {
                 sheet.section(ui, section);

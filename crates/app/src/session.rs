@@ -279,6 +279,7 @@ impl Session {
         status_line::show(ui, self);
         let panel = egui::Panel::left("panel").default_size(396.0).size_range(340.0..=560.0);
         let frame = egui::Frame::new().fill(theme::PANEL).inner_margin(egui::Margin::symmetric(6, 6));
+        self.panels.light(self.viewport.hovered());
         let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
         self.submit_all(requests);
         self.picture(ui);
@@ -288,12 +289,12 @@ impl Session {
     }
 
     fn picture(&mut self, ui: &mut Ui) {
-        let selected = self.panels.selected();
+        self.viewport.hint(self.panels.hinted());
         let asked = egui::CentralPanel::no_frame()
-            .show(ui, |ui| self.viewport.show(ui, &self.editor, selected, self.software))
+            .show(ui, |ui| self.viewport.show(ui, &self.editor, self.panels.selection(), self.software))
             .inner;
-        if let Some(chosen) = asked.chosen {
-            self.panels.select(chosen);
+        if let Some(how) = asked.chosen {
+            self.panels.choose(&self.editor.figure().skeleton, how);
             ui.ctx().request_repaint();
         }
         self.submit_all(asked.requests);

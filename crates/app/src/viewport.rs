@@ -9,7 +9,7 @@ mod pick;
 mod picture;
 mod skin;
 
-use edit::{Axis, Constraint, Editor, Hit, Request};
+use edit::{Axis, Choose, Constraint, Editor, Hit, Request, Selection};
 use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2, Vec3};
 use rig::{Bone, Camera, Projection, Ray, View};
@@ -20,6 +20,7 @@ use picture::Picture;
 pub use picture::install;
 use skin::Skin;
 
+use crate::panels::way_of_click;
 use crate::{labels, theme};
 
 /// How the figure is looked at, and the gesture in the picture.
@@ -35,6 +36,8 @@ pub struct Viewport {
     held: Option<Held>,
     /// The bone whose skin lights up.
     hovered: Option<Bone>,
+    /// The bone to which a panel points.
+    hinted: Option<Bone>,
     /// The figure's skin, ready for picking.
     skin: Option<Skin>,
     /// Where the picture was last, points.
@@ -61,8 +64,8 @@ enum Held {
 pub struct Asked {
     /// Changes of the pose.
     pub requests: Vec<Request>,
-    /// A click: the bone that it chose, or none.
-    pub chosen: Option<Option<Bone>>,
+    /// A click: what it chooses.
+    pub chosen: Option<Choose>,
 }
 
 /// After the wheel stops for this long, the picture is drawn in full quality.
@@ -78,6 +81,7 @@ impl Default for Viewport {
             unframed: true,
             held: None,
             hovered: None,
+            hinted: None,
             skin: None,
             rect: Rect::from_min_size(Pos2::ZERO, egui::vec2(1.0, 1.0)),
             wheeled_at: f64::NEG_INFINITY,
@@ -87,7 +91,7 @@ impl Default for Viewport {
 
 impl Viewport {
     /// Shows the picture in what is left of the window.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, selected: Option<Bone>, lean: bool) -> Asked {
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, selection: &Selection, lean: bool) -> Asked {
         let (id, rect) = (egui::Id::unique("viewport"), ui.available_rect_before_wrap());
         ui.allocate_rect(rect, Sense::hover());
         self.rect = rect;
@@ -100,12 +104,13 @@ impl Viewport {
         self.drag(ui, &response, editor, &mut asked);
         self.wheel(ui, &response);
         if response.clicked_by(PointerButton::Primary) {
-            asked.chosen = response.interact_pointer_pos().map(|at| self.clicked(editor, at));
+            let bone = response.interact_pointer_pos().and_then(|at| self.clicked(editor, at));
+            asked.chosen = Some(bone.map_or(Choose::None, |bone| way_of_click(ui, bone)));
         }
         let mark = response.hover_pos().filter(|_| self.held.is_none()).and_then(|at| self.pick(editor, at));
         self.light_up(ui, editor, response.hover_pos(), mark);
         let moving = lean && self.is_moving(ui, editor);
-        self.paint(ui, editor, selected, moving);
+        self.paint(ui, editor, selection, moving);
         if let Some(picked) = mark {
             self.paint_hovered(ui, editor, picked);
         }
@@ -115,6 +120,11 @@ impl Viewport {
     /// The bone whose skin is lit: the one under the pointer, or the one that is dragged.
     pub fn hovered(&self) -> Option<Bone> {
         self.hovered
+    }
+
+    /// Lights up a bone's skin while the pointer is on its name in a panel.
+    pub fn hint(&mut self, bone: Option<Bone>) {
+        self.hinted = bone;
     }
 
     /// What a drag of the figure is doing and which keys change it; `None` while there is none.
@@ -295,14 +305,14 @@ impl Viewport {
         self.held.is_some() || editor.in_gesture() || ui.input(|i| i.time) - self.wheeled_at < WHEEL_REST_SECS
     }
 
-    fn paint(&self, ui: &Ui, editor: &Editor, selected: Option<Bone>, lean: bool) {
+    fn paint(&self, ui: &Ui, editor: &Editor, selection: &Selection, lean: bool) {
         let scale = ui.ctx().pixels_per_point();
-        let mut overlay = marks::of(editor, selected, self.marks, scale);
+        let mut overlay = marks::of(editor, selection, self.marks, scale);
         if let Some(Held::Figure(grip)) = &self.held {
             let (first, axes) = grip.guides();
             marks::guides(&mut overlay, first, &axes, self.camera.distance, scale);
         }
-        let lit = picture::Lit { selected, hovered: self.hovered };
+        let lit = picture::Lit { selected: selection.bones(), hovered: self.hovered.or(self.hinted) };
         let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, lit, lean);
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
     }

@@ -1,6 +1,6 @@
 //! What is drawn over the figure: joints, articulators and targets.
 
-use edit::{Axis, Editor};
+use edit::{Axis, Editor, Selection};
 use glam::{DVec3, Vec3};
 use render::{Color, Layer, Line, Marker, Overlay, Shape};
 use rig::{Bone, Contact, Limb, Part, Reacher};
@@ -13,13 +13,13 @@ const MET_M: f64 = 0.0005;
 const GUIDE_SHARE: f32 = 0.5;
 
 /// The marks of a pose; sizes grow with the pixels of a point. A figure without a skin shows its bones as lines.
-pub fn of(editor: &Editor, selected: Option<Bone>, marks: bool, scale: f32) -> Overlay {
+pub fn of(editor: &Editor, selection: &Selection, marks: bool, scale: f32) -> Overlay {
     let mut overlay = Overlay::default();
     if editor.figure().skin.is_none() {
         bones(&mut overlay, editor, scale);
     }
     if marks {
-        joints(&mut overlay, editor, selected, scale);
+        joints(&mut overlay, editor, selection, scale);
         for limb in Limb::ALL {
             reach(&mut overlay, editor, limb, scale);
         }
@@ -58,13 +58,13 @@ fn bones(overlay: &mut Overlay, editor: &Editor, scale: f32) {
     }
 }
 
-fn joints(overlay: &mut Overlay, editor: &Editor, selected: Option<Bone>, scale: f32) {
+fn joints(overlay: &mut Overlay, editor: &Editor, selection: &Selection, scale: f32) {
     let frames = &editor.evaluation().frames;
     for joint in editor.figure().skeleton.joints() {
         let bone = joint.bone;
         let small = matches!(bone.part(), Part::LeftHand | Part::RightHand)
             || matches!(bone, Bone::LeftEye | Bone::RightEye | Bone::Jaw);
-        let chosen = selected == Some(bone);
+        let chosen = selection.contains(bone);
         let radius = if small { 1.6 } else { 3.2 };
         overlay.markers.push(Marker {
             at: frames[bone].position.as_vec3(),

@@ -23,9 +23,9 @@ pub struct Picture {
 
 /// Bones whose skin is tinted.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Lit {
-    /// The chosen one.
-    pub selected: Option<Bone>,
+pub struct Lit<'a> {
+    /// The chosen ones.
+    pub selected: &'a [Bone],
     /// The one under the pointer.
     pub hovered: Option<Bone>,
 }
@@ -38,7 +38,7 @@ impl Picture {
         rect: Rect,
         pixels_per_point: f32,
         overlay: Overlay,
-        lit: Lit,
+        lit: Lit<'_>,
         lean: bool,
     ) -> Picture {
         let rest = crate::picture::rest_positions(editor.figure());
@@ -50,7 +50,7 @@ impl Picture {
             // Frames of the world in place of the figure's: the figure's transform is the identity then.
             palette: Palette::new(&editor.evaluation().frames, &rest),
             has_skin: editor.figure().skin.is_some(),
-            selected: lit.selected.into_iter().collect(),
+            selected: lit.selected.to_vec(),
             hovered: lit.hovered.into_iter().collect(),
             overlay,
         }
