@@ -34,7 +34,9 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
     let metre = lines(in.at, pixel, scene.ground.w * 10.0, 1.2);
     let axis = clamp(vec2(1.3) - abs(in.at) / pixel, vec2(0.0), vec2(1.0));
     var alpha = max(max(fine.x, fine.y) * 0.11, max(metre.x, metre.y) * 0.26);
-    var color = vec3(0.82, 0.84, 0.87);
+    // Light lines on a dark ground, dark ones on a light ground.
+    let ground = dot(scene.background_top.rgb + scene.background_bottom.rgb, vec3(1.0 / 6.0));
+    var color = select(vec3(0.82, 0.84, 0.87), vec3(0.16, 0.18, 0.21), ground > 0.5);
     // Along X the z coordinate is zero, and the other way round.
     color = mix(color, vec3(0.86, 0.36, 0.34), axis.y);
     color = mix(color, vec3(0.36, 0.55, 0.90), axis.x * (1.0 - axis.y));

@@ -22,7 +22,7 @@ struct Scene {
     ground: vec4<f32>,
     // The figures' shadow on the ground: least x, least z, greatest x, greatest z.
     footprint: vec4<f32>,
-    // x: depth of the shadow map, metres.
+    // x: depth of the shadow map, metres; y: opacity of the picture for reference.
     light: vec4<f32>,
     // Linear; w: strength.
     selected_tint: vec4<f32>,

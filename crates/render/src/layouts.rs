@@ -9,7 +9,7 @@ pub(crate) struct Layouts {
     pub figure: wgpu::BindGroupLayout,
     /// The key light's depth.
     pub shadow: wgpu::BindGroupLayout,
-    /// The softened shadow on the ground.
+    /// A filtered texture: the softened shadow on the ground, or the picture for reference.
     pub soft: wgpu::BindGroupLayout,
 }
 

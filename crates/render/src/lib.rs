@@ -4,6 +4,7 @@
 //! is plain data, made anew for each picture. [`Renderer::draw`] records into the caller's encoder and leaves the
 //! picture in a texture, which a [`Blit`] paints into a window; [`Renderer::image`] reads it back.
 
+mod backdrop;
 mod blit;
 mod errors;
 mod figures;

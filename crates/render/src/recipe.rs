@@ -22,6 +22,8 @@ pub(crate) enum Draw {
     Figure { fragment: &'static str, two_sided: bool },
     /// The gradient behind everything.
     Backdrop,
+    /// The picture for reference.
+    Image,
     /// The grid on the ground.
     Grid,
     /// The figures' shadow on the ground.
@@ -52,6 +54,7 @@ pub(crate) enum Source {
     Shadow,
     Soften,
     Backdrop,
+    Image,
     Ground,
     Overlay,
     Surfaces,
@@ -64,7 +67,7 @@ pub(crate) enum Groups {
     Figure,
     /// Figure and shadow map.
     Lit,
-    /// The soft shadow.
+    /// A filtered texture: the soft shadow, or the picture for reference.
     Soft,
 }
 
@@ -157,6 +160,9 @@ impl Recipe {
             Draw::Ghost { two_sided } => Recipe::skinned("fs_nothing", two_sided, Less, msaa),
             Draw::Figure { fragment, two_sided } => Recipe::skinned(fragment, two_sided, LessEqual, msaa),
             Draw::Backdrop => Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop"),
+            Draw::Image => {
+                Recipe { groups: Groups::Soft, ..Recipe::surroundings(Source::Image, "vs_image", "fs_image") }
+            }
             Draw::Grid => Recipe::surroundings(Ground, "vs_grid", "fs_grid"),
             Draw::Shade => {
                 Recipe { groups: Groups::Soft, ..Recipe::surroundings(Ground, "vs_shade", "fs_shade") }

@@ -6,6 +6,7 @@ use std::ops::Range;
 use glam::Vec3;
 use rig::{Bounds, Mesh};
 
+use crate::backdrop::BackdropImage;
 use crate::figures::Figures;
 use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
@@ -18,7 +19,7 @@ use crate::skins::Skin;
 use crate::surfaces::{self, BALL_VERTICES, Corner, Shell};
 use crate::target::{Target, TargetKey};
 use crate::uniforms::SceneUniform;
-use crate::{DrawError, Gpu, openpose};
+use crate::{DrawError, Gpu, Image, openpose};
 
 /// Draws scenes into its own texture.
 ///
@@ -32,6 +33,7 @@ pub struct Renderer {
     scene_group: wgpu::BindGroup,
     figures: Figures,
     shadow: ShadowMaps,
+    backdrop: Option<BackdropImage>,
     balls: LayeredBuffer<Shell>,
     fans: LayeredBuffer<Corner>,
     strokes: LayeredBuffer<Stroke>,
@@ -57,6 +59,7 @@ impl Renderer {
         Renderer {
             figures: Figures::new(device, &pipelines.layouts.figure, 1),
             shadow: ShadowMaps::new(device, &pipelines.layouts),
+            backdrop: None,
             balls: LayeredBuffer::new("balls"),
             fans: LayeredBuffer::new("fans"),
             strokes: LayeredBuffer::new("strokes"),
@@ -83,6 +86,19 @@ impl Renderer {
             return Err(DrawError::Mesh(fault));
         }
         self.skins.insert(slot, Skin::upload(&self.gpu.device, mesh));
+        Ok(())
+    }
+
+    /// Takes on a picture for reference, drawn behind the figures as high as the view with [`Look::backdrop_opacity`];
+    /// `None` takes it away.
+    ///
+    /// # Errors
+    /// A size that the device can't hold, or that isn't that of its bytes; there is no picture then.
+    pub fn set_backdrop(&mut self, image: Option<&Image>) -> Result<(), DrawError> {
+        self.backdrop = None;
+        if let Some(image) = image {
+            self.backdrop = Some(BackdropImage::upload(&self.gpu, &self.pipelines.layouts, image)?);
+        }
         Ok(())
     }
 
@@ -191,7 +207,7 @@ impl Renderer {
     fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
         let Some(msaa) = self.target.as_ref().map(|t| t.key.msaa) else { return };
         let mut draws = match scene.pass {
-            Pass::Color => vec![Draw::Soften, Draw::Backdrop, Draw::Grid, Draw::Shade],
+            Pass::Color => vec![Draw::Soften, Draw::Backdrop, Draw::Image, Draw::Grid, Draw::Shade],
             _ => Vec::new(),
         };
         draws.extend(self.balls.draws().map(|(_, seen, _)| Draw::Balls(seen)));
@@ -261,10 +277,14 @@ impl Renderer {
     /// Grid, shadow and background, put under the resolved figures: nothing of theirs needs samples or depth.
     fn record_surroundings(&self, encoder: &mut wgpu::CommandEncoder, target: &Target, scene: &Scene<'_>) {
         let above = scene.camera.eye().y > 0.0;
+        let opaque = !scene.look.transparent;
+        let soft = &self.shadow.soft_group;
+        let image = self.backdrop.as_ref().filter(|_| opaque && scene.look.backdrop_opacity > 0.0);
         let wanted = [
-            (Draw::Grid, scene.look.grid && !scene.look.transparent),
-            (Draw::Shade, above && self.casts_shadow(scene)),
-            (Draw::Backdrop, !scene.look.transparent),
+            (Draw::Grid, (scene.look.grid && opaque).then_some(soft)),
+            (Draw::Shade, (above && self.casts_shadow(scene)).then_some(soft)),
+            (Draw::Image, image.map(|image| &image.group)),
+            (Draw::Backdrop, opaque.then_some(soft)),
         ];
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("surroundings"),
@@ -277,8 +297,8 @@ impl Renderer {
             ..wgpu::RenderPassDescriptor::default()
         });
         pass.set_bind_group(0, &self.scene_group, &[]);
-        pass.set_bind_group(2, &self.shadow.soft_group, &[]);
-        for (draw, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
+        for (draw, texture) in wanted.into_iter().filter_map(|(draw, group)| Some((draw, group?))) {
+            pass.set_bind_group(2, texture, &[]);
             if self.set_pipeline(&mut pass, draw) {
                 pass.draw(0..4, 0..1);
             }

@@ -121,6 +121,8 @@ pub struct Look {
     pub background_bottom: Color,
     /// Leaves the background out: alpha 0 where nothing is drawn. The grid is then left out as well.
     pub transparent: bool,
+    /// How much of the picture given to [`crate::Renderer::set_backdrop`] shows, 0 to 1.
+    pub backdrop_opacity: f32,
     /// The grid and the axes on the ground y = 0.
     pub grid: bool,
     /// Shadows of the key light, on the figures and on the ground.
@@ -144,6 +146,7 @@ impl Default for Look {
             background_top: [104, 109, 116, 255],
             background_bottom: [54, 57, 62, 255],
             transparent: false,
+            backdrop_opacity: 0.0,
             grid: true,
             shadow: true,
             msaa: Msaa::Four,
@@ -156,6 +159,18 @@ impl Default for Look {
 }
 
 impl Look {
+    /// Bright surroundings; [`Look::default`] is the dark ones. Grid and marks are legible on both.
+    #[must_use]
+    pub fn light() -> Look {
+        Look {
+            background_top: [226, 229, 233, 255],
+            background_bottom: [186, 190, 196, 255],
+            selected: [255, 112, 16, 205],
+            hovered: [255, 164, 70, 140],
+            ..Look::default()
+        }
+    }
+
     /// What a software adapter can draw fluently while something moves: one sample, no shadow, the rest as it is.
     #[must_use]
     pub fn lean(self) -> Look {

@@ -18,6 +18,9 @@ pub(crate) const SOFTEN: &str =
 /// The gradient behind everything.
 pub(crate) const BACKDROP: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/backdrop.wgsl"));
+/// The picture for reference.
+pub(crate) const IMAGE: &str =
+    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/image.wgsl"));
 /// Grid and shadow on the ground.
 pub(crate) const GROUND: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/ground.wgsl"));
@@ -35,11 +38,12 @@ mod tests {
     use wgpu::naga;
 
     /// Every source, so that a file that no picture happens to use is still checked.
-    const ALL: [(&str, &str); 8] = [
+    const ALL: [(&str, &str); 9] = [
         ("figure", super::FIGURE),
         ("shadow", super::SHADOW),
         ("soften", super::SOFTEN),
         ("backdrop", super::BACKDROP),
+        ("image", super::IMAGE),
         ("ground", super::GROUND),
         ("overlay", super::OVERLAY),
         ("surfaces", super::SURFACES),

@@ -88,7 +88,7 @@ impl SceneUniform {
             ranges: [depth_range[0], depth_range[1], light.texel_m, 1.0 / light.size as f32],
             ground: [camera.target.x, reach, camera.target.z, spacing],
             footprint: light.footprint,
-            light: [light.deep_m, 0.0, 0.0, 0.0],
+            light: [light.deep_m, look.backdrop_opacity.clamp(0.0, 1.0), 0.0, 0.0],
             selected_tint: linear(look.selected),
             hovered_tint: linear(look.hovered),
         }

@@ -520,6 +520,52 @@ fn blit(renderer: &mut Renderer, scene: &Scene<'_>) -> Image {
 }
 
 #[test]
+fn a_picture_for_reference_is_seen_behind_the_figure_and_not_on_it() {
+    let mut renderer = renderer_of(&body::ball(CENTER, RADIUS));
+    let figures = [FigureView::new(&Palette::REST)];
+    let camera = Camera { target: CENTER, ..Camera::default() };
+    // Red above, blue below, half as wide as high.
+    let rows = [[220, 30, 20, 255], [20, 30, 220, 255]].map(|row: [u8; 4]| row.repeat(32 * 32));
+    let reference = Image { width: 32, height: 64, rgba: rows.concat() };
+    renderer.set_backdrop(Some(&reference)).unwrap();
+    let mut shot = |backdrop_opacity| {
+        let look = Look { grid: false, shadow: false, backdrop_opacity, ..Look::default() };
+        draw(&mut renderer, &Scene { look, ..Scene::new(&figures, camera, SIZE) })
+    };
+    let (none, half, whole) = (shot(0.0), shot(0.5), shot(1.0));
+    let middle = pixels() * 0.5;
+    let (above, below) = (Vec2::new(middle.x, 8.0), Vec2::new(middle.x, pixels().y - 8.0));
+    assert_eq!(at(&whole, above), [220, 30, 20, 255]);
+    assert_eq!(at(&whole, below), [20, 30, 220, 255], "as high as the view");
+    assert_eq!(at(&whole, middle), at(&none, middle), "the figure is before it");
+    let blend = (u16::from(at(&none, above)[0]) + 220) / 2;
+    assert!(u16::from(at(&half, above)[0]).abs_diff(blend) <= 2);
+    for beside in [middle.x - 70.0, middle.x + 70.0] {
+        let beside = Vec2::new(beside, 8.0);
+        assert_eq!(at(&whole, beside), at(&none, beside), "it keeps its shape");
+    }
+    let short = Image { rgba: vec![0; 4], ..reference };
+    assert!(matches!(renderer.set_backdrop(Some(&short)), Err(DrawError::Size { .. })));
+    assert!(renderer.set_backdrop(None).is_ok());
+}
+
+#[test]
+fn the_grid_is_legible_on_dark_and_on_light_ground() {
+    let mut renderer = Renderer::new(&GPU);
+    let camera = Camera { pitch_rad: 0.9, target: Vec3::ZERO, ..Camera::default() };
+    for (look, lines_are_lighter) in [(Look::default(), true), (Look::light(), false)] {
+        let mut shot = |grid| {
+            let look = Look { grid, ..look };
+            draw(&mut renderer, &Scene { look, ..Scene::new(&[], camera, SIZE) })
+        };
+        let (with, without) = (shot(true), shot(false));
+        let differ = |p: Vec2| i32::from(at(&with, p)[1]) - i32::from(at(&without, p)[1]);
+        let strongest = each_pixel().map(differ).max_by_key(|d| d.abs()).unwrap();
+        assert!(strongest.abs() > 15 && (strongest > 0) == lines_are_lighter, "{strongest}");
+    }
+}
+
+#[test]
 fn a_smaller_scale_draws_a_smaller_texture() {
     let mut renderer = renderer_of(&body::ball(CENTER, RADIUS));
     let figures = [FigureView::new(&Palette::REST)];
