@@ -8,6 +8,7 @@ mod hand;
 mod head;
 mod joints;
 mod limb;
+mod lock;
 mod overview;
 mod point;
 mod row;
@@ -17,7 +18,7 @@ mod tree;
 
 use edit::{Choose, Command, Editor, Request, Selection};
 use egui::{ScrollArea, Ui};
-use rig::{Bone, Part, Side, Skeleton};
+use rig::{Bone, Contact, Limb, Part, Side, Skeleton};
 
 use crate::rail::Change;
 pub use overview::Overview;
@@ -146,7 +147,7 @@ struct Sheet<'a> {
 impl Sheet<'_> {
     fn section(&mut self, ui: &mut Ui, section: Section) {
         let index = section.index();
-        let header = section::header(ui, section, self.panels.open[index]);
+        let header = section::header(ui, section, self.panels.open[index], &self.signs(section));
         if header.toggled {
             self.panels.open[index] = !self.panels.open[index];
         }
@@ -165,6 +166,16 @@ impl Sheet<'_> {
                 Section::Body(part) => self.limb(ui, part),
             },
         );
+    }
+
+    /// What a section's header tells besides its title.
+    fn signs(&self, section: Section) -> section::Signs {
+        let Section::Body(part) = section else { return section::Signs::default() };
+        let limb = Limb::ALL
+            .into_iter()
+            .find(|limb| limb.parts().end.part() == part || limb.parts().root.part() == part);
+        let contact = limb.map(|limb| self.editor.pose().limb(limb).contact).filter(|c| *c != Contact::Free);
+        section::Signs { contact, locked: self.locked_in(part) }
     }
 
     /// Asks for the command of a changed value.

@@ -7,10 +7,11 @@ use edit::Choose;
 use egui::accesskit::{self, Action};
 use egui::{Align2, Color32, CursorIcon, FontId, Key, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui};
 use egui::{WidgetInfo, pos2, vec2};
-use rig::{Bone, Limb, Side};
+use rig::{Bone, Limb, Part, Side};
 
 use super::{Sheet, glyph, way_of_click};
-use crate::{labels, theme};
+use crate::labels;
+use crate::theme::{self, Palette};
 
 /// How far beside a shape the pointer may be, points: fingertips are small.
 const NEAR: f32 = 2.5;
@@ -71,72 +72,88 @@ impl Sheet<'_> {
     }
 
     fn paint_map(&self, ui: &Ui, origin: Pos2, under: Option<Bone>, focused: bool) {
-        let painter = ui.painter();
+        let (painter, palette) = (ui.painter(), theme::of(ui));
         let moved = |at: &Pos2| *at + origin.to_vec2();
         let shift = |(x, y): (f32, f32)| origin + vec2(x, y);
         for side in [1.0, -1.0] {
             let lead = figure::LEAD.map(|(x, y)| shift((side * x, y)));
-            painter.line_segment(lead, Stroke::new(1.0, theme::LIVE.gamma_multiply(0.7)));
+            painter.line_segment(lead, Stroke::new(1.0, palette.live.gamma_multiply(0.7)));
         }
         let pointed = under.or(self.panels.lit);
         for shape in figure::SHAPES.iter() {
             let points: Vec<Pos2> = shape.outline.iter().map(moved).collect();
-            let fill = self.fill(shape.bone, pointed == Some(shape.bone));
+            let fill = self.fill(palette, shape.bone, pointed == Some(shape.bone));
             // A seam in the panel's colour parts each shape from those behind it.
-            painter.add(Shape::convex_polygon(points, fill, Stroke::new(1.6, theme::PANEL)));
+            painter.add(Shape::convex_polygon(points, fill, Stroke::new(1.6, palette.panel)));
         }
         for shape in figure::SHAPES.iter() {
             let points: Vec<Pos2> = shape.outline.iter().map(moved).collect();
-            if let Some(stroke) = self.rim(shape.bone, pointed == Some(shape.bone)) {
+            if let Some(stroke) = self.rim(palette, shape.bone, pointed == Some(shape.bone)) {
                 painter.add(Shape::closed_line(points, stroke));
             }
         }
         self.paint_signs(ui, origin);
         if focused {
             let place = Rect::from_center_size(origin + vec2(0.0, figure::SIZE.y * 0.5), figure::SIZE);
-            let ring = Stroke::new(1.0, theme::ACCENT);
+            let ring = Stroke::new(1.0, palette.accent);
             painter.rect_stroke(place.shrink(1.0), 4.0, ring, egui::StrokeKind::Inside);
         }
     }
 
     /// Sides, contacts and locks.
     fn paint_signs(&self, ui: &Ui, origin: Pos2) {
-        let painter = ui.painter();
+        let (painter, palette) = (ui.painter(), theme::of(ui));
         for (side, letter, x) in [(Side::Left, "L", 1.0), (Side::Right, "R", -1.0)] {
             let at = origin + vec2(x * 113.0, 120.0);
-            painter.text(at, Align2::CENTER_CENTER, letter, FontId::proportional(15.0), theme::side(side));
+            painter.text(at, Align2::CENTER_CENTER, letter, FontId::proportional(15.0), palette.side(side));
         }
         for limb in Limb::ALL {
             let at = origin + figure::contact_place(limb).to_vec2();
             let contact = &self.editor.pose().limb(limb).contact;
-            glyph::contact(painter, at, 8.0, contact, theme::side(limb.side()));
+            glyph::contact(painter, at, 8.0, contact, palette.side(limb.side()));
+        }
+        let mut marked = [false; Bone::COUNT];
+        for shape in figure::SHAPES.iter().rev().filter(|shape| self.is_locked(shape.bone)) {
+            // A hand has two shapes and one padlock.
+            if !std::mem::replace(&mut marked[shape.bone.index()], true) {
+                self.paint_lock(ui, origin, shape);
+            }
         }
     }
 
-    fn fill(&self, bone: Bone, pointed: bool) -> Color32 {
+    fn paint_lock(&self, ui: &Ui, origin: Pos2, shape: &figure::Shape) {
+        let finger = matches!(shape.bone.part(), Part::LeftHand | Part::RightHand);
+        let (size, radius) = if finger { (6.5, 0.0) } else { (9.0, 7.0) };
+        let at = origin + shape.joint.to_vec2();
+        let palette = theme::of(ui);
+        ui.painter().circle_filled(at, radius, palette.panel);
+        glyph::lock(ui.painter(), at, size, true, palette.text);
+    }
+
+    fn fill(&self, palette: &Palette, bone: Bone, pointed: bool) -> Color32 {
         let plain = match bone.side() {
-            Some(side) => theme::LIVE.lerp_to_gamma(theme::side(side), 0.16),
-            None => theme::LIVE,
+            Some(side) => palette.live.lerp_to_gamma(palette.side(side), 0.16),
+            None => palette.live,
         };
         if self.editor.figure().skeleton.joint(bone).is_none() {
-            theme::HEADER
+            palette.header
         } else if self.panels.selection.contains(bone) {
-            theme::ACCENT
+            palette.accent
         } else if pointed {
-            plain.lerp_to_gamma(theme::TEXT, 0.35)
+            plain.lerp_to_gamma(palette.text, 0.35)
         } else if matches!(bone, Bone::LeftEye | Bone::RightEye | Bone::Jaw) {
-            plain.lerp_to_gamma(theme::TEXT, 0.2)
+            plain.lerp_to_gamma(palette.text, 0.2)
         } else {
             plain
         }
     }
 
     /// The line around a shape: strong if it is the active one, thin if it is chosen too, or pointed at.
-    fn rim(&self, bone: Bone, pointed: bool) -> Option<Stroke> {
+    fn rim(&self, palette: &Palette, bone: Bone, pointed: bool) -> Option<Stroke> {
         if self.panels.selected() == Some(bone) {
-            Some(Stroke::new(2.0, theme::TEXT))
+            Some(Stroke::new(2.0, palette.text))
         } else if self.panels.selection.contains(bone) || pointed {
-            Some(Stroke::new(1.0, theme::TEXT))
+            Some(Stroke::new(1.0, palette.text))
         } else {
             None
         }
@@ -148,6 +165,9 @@ impl Sheet<'_> {
         if let Some(limb) = Limb::of(bone) {
             let contact = &self.editor.pose().limb(limb).contact;
             words.push_str(&format!("\n{}: {}", labels::limb(limb), glyph::contact_word(contact)));
+        }
+        if self.is_locked(bone) {
+            words.push_str("\nlocked");
         }
         words
     }

@@ -6,10 +6,10 @@ use glam::DVec3;
 use kin::Interval;
 use rig::Bone;
 
+use super::row::Ink;
 use super::{Sheet, row};
 use crate::number::Number;
 use crate::rail::{Change, Rail};
-use crate::theme;
 
 impl Sheet<'_> {
     pub(super) fn figure(&mut self, ui: &mut Ui) {
@@ -34,7 +34,7 @@ impl Sheet<'_> {
     fn turn_figure(&mut self, ui: &mut Ui, turn: f64) {
         let name = "Figure turn";
         let columns = row::next(ui);
-        row::text(ui, columns.joint, "Turn", theme::TEXT).on_hover_text("+ turns to the figure's left");
+        row::text(ui, columns.joint, "Turn", Ink::Plain).on_hover_text("+ turns to the figure's left");
         let circle = Interval::new(-180.0, 180.0);
         let rail = Rail { name, value: turn, span: circle, live: None, wraps: true, rest: 0.0 };
         let wide = egui::Rect::from_min_max(columns.angle.min, columns.rail.max);

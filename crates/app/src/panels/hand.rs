@@ -5,10 +5,11 @@ use egui::Ui;
 use kin::Interval;
 use rig::{Bone, Part, Side};
 
+use super::row::Ink;
 use super::{Sheet, row};
+use crate::labels;
 use crate::number::Number;
 use crate::rail::{Change, Rail};
-use crate::{labels, theme};
 
 impl Sheet<'_> {
     pub(super) fn hand(&mut self, ui: &mut Ui, side: Side) {
@@ -49,7 +50,7 @@ impl Sheet<'_> {
         let name = format!("{} handshape amount", labels::side(side));
         let columns = row::next(ui);
         let tip = "How far a click goes from the hand as it is to the shape";
-        row::text(ui, columns.joint, "Amount", theme::TEXT).on_hover_text(tip);
+        row::text(ui, columns.joint, "Amount", Ink::Plain).on_hover_text(tip);
         let value = *self.panels.amount(side) * 100.0;
         let span = Interval::new(0.0, 100.0);
         let rail = Rail { name: &name, value, span, live: Some(span), wraps: false, rest: 0.0 };

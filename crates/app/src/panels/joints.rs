@@ -5,6 +5,7 @@ use egui::{Role, Sense, Ui, WidgetInfo};
 use kin::Interval;
 use rig::{Bone, Dof};
 
+use super::row::Ink;
 use super::{Sheet, row, way_of_click};
 use crate::number::Number;
 use crate::rail::Rail;
@@ -34,16 +35,19 @@ impl Sheet<'_> {
         let columns = row::next(ui);
         let selected = self.panels.selection.contains(bone);
         if selected {
-            ui.painter().rect_filled(columns.whole.expand2(egui::vec2(4.0, 1.0)), 2.0, theme::HEADER);
+            ui.painter().rect_filled(columns.whole.expand2(egui::vec2(4.0, 1.0)), 2.0, theme::of(ui).header);
             if self.panels.reveal && !joint_name.is_empty() {
                 ui.scroll_to_rect(columns.whole.expand(60.0), None);
                 self.panels.reveal = false;
             }
         }
-        let color = if selected { theme::ACCENT } else { theme::TEXT };
-        row::text(ui, columns.joint, joint_name, color);
-        row::text(ui, columns.angle, labels::angle(dof), theme::FAINT_TEXT);
+        let ink = if selected { Ink::Chosen } else { Ink::Plain };
+        row::text(ui, columns.joint, joint_name, ink);
+        row::text(ui, columns.angle, labels::angle(dof), Ink::Faint);
         self.choose_cell(ui, columns, bone, dof, !joint_name.is_empty());
+        if !joint_name.is_empty() && labels::joint(bone) == joint_name {
+            self.lock_cell(ui, columns, bone);
+        }
         let rail = Rail {
             name: &name,
             value: slider.value,
@@ -72,6 +76,15 @@ impl Sheet<'_> {
         if response.clicked() {
             self.choose_row(ui, bone);
         }
+    }
+
+    /// The padlock of a joint's first row, at the end of the joint's column.
+    fn lock_cell(&mut self, ui: &Ui, columns: row::Row, bone: Bone) {
+        let left = egui::pos2(columns.joint.right() - 18.0, columns.joint.top());
+        let cell = egui::Rect::from_min_max(left, columns.joint.max);
+        let pointed = ui.rect_contains_pointer(columns.whole);
+        let meant = pointed || self.panels.selection.contains(bone);
+        self.lock_toggle(ui, cell, bone, &format!("{} · lock", labels::full(bone)), meant);
     }
 
     /// Chooses the bone of a clicked row, or no longer if it was the only one; with Shift or Ctrl besides the others.

@@ -5,11 +5,12 @@ use egui::{ComboBox, Ui, UiBuilder};
 use kin::Interval;
 use rig::{Bone, Contact, Dof, Limb, Part, Reacher, Space};
 
+use super::row::Ink;
 use super::{Sheet, row};
+use crate::labels;
 use crate::number::Number;
 use crate::rail::Rail;
 use crate::reaching::reach;
-use crate::{labels, theme};
 
 /// What people hold on to. Any other bone that a file names is shown as well.
 const SPACES: [Bone; 9] = [
@@ -49,7 +50,7 @@ impl Sheet<'_> {
 
     fn articulator(&mut self, ui: &mut Ui, limb: Limb) {
         let columns = row::next(ui);
-        row::text(ui, columns.joint, "Articulator", theme::TEXT).on_hover_text("The point that reaches");
+        row::text(ui, columns.joint, "Articulator", Ink::Plain).on_hover_text("The point that reaches");
         let now = match &self.editor.pose().limb(limb).reacher {
             Reacher::Named(name) => labels::articulator(name),
             Reacher::Point(bone, _) => format!("point on {}", labels::full(*bone).to_lowercase()),
@@ -73,7 +74,7 @@ impl Sheet<'_> {
 
     fn contact(&mut self, ui: &mut Ui, limb: Limb) {
         let columns = row::next(ui);
-        row::text(ui, columns.joint, "Contact", theme::TEXT);
+        row::text(ui, columns.joint, "Contact", Ink::Plain);
         let state = self.editor.pose().limb(limb).contact;
         let (hold, space) = match state {
             Contact::Free => (Hold::Free, Space::World),
@@ -111,7 +112,7 @@ impl Sheet<'_> {
         let hold = if matches!(contact, Contact::Planted { .. }) { Hold::Planted } else { Hold::Point };
         let columns = row::next(ui);
         let tip = "What the target moves along with";
-        row::text(ui, columns.joint, "Holds on to", theme::TEXT).on_hover_text(tip);
+        row::text(ui, columns.joint, "Holds on to", Ink::Plain).on_hover_text(tip);
         let name = format!("{} space", labels::limb(limb));
         let chosen = choice(ui, columns.rest(), &name, &space_words(space), |ui| {
             let mut chosen = None;
@@ -144,7 +145,7 @@ impl Sheet<'_> {
         }
         if !misses.is_empty() {
             let columns = row::next(ui);
-            row::text(ui, columns.rest(), &misses.join(", "), theme::WARNING);
+            row::text(ui, columns.rest(), &misses.join(", "), Ink::Warning);
         }
     }
 
@@ -153,10 +154,10 @@ impl Sheet<'_> {
         let columns = row::next(ui);
         let hinge = if limb.is_arm() { "elbow" } else { "knee" };
         let tip = format!("+ lifts the {hinge} outward; articulator and bend stay");
-        row::text(ui, columns.joint, "Elevation", theme::TEXT).on_hover_text(tip);
+        row::text(ui, columns.joint, "Elevation", Ink::Plain).on_hover_text(tip);
         let name = format!("{} elevation", labels::limb(limb));
         let Some(degrees) = view.elevation else {
-            row::text(ui, columns.rest(), "none: the articulator is at the limb's root", theme::FAINT_TEXT);
+            row::text(ui, columns.rest(), "none: the articulator is at the limb's root", Ink::Faint);
             return;
         };
         let rail = Rail {
@@ -210,8 +211,8 @@ impl Sheet<'_> {
         let columns = row::next(ui);
         let name = format!("{} in contact", labels::slider(bone, dof));
         let tip = "Turns about the articulator, which stays: the rest of the limb follows";
-        row::text(ui, columns.joint, title, theme::TEXT).on_hover_text(tip);
-        row::text(ui, columns.angle, labels::angle(dof), theme::FAINT_TEXT).on_hover_text(tip);
+        row::text(ui, columns.joint, title, Ink::Plain).on_hover_text(tip);
+        row::text(ui, columns.angle, labels::angle(dof), Ink::Faint).on_hover_text(tip);
         let span = if bounded { range } else { circle }.reaching(value);
         let rail = Rail { name: &name, value, span, live: None, wraps: false, rest: 0.0 };
         let turn = |degrees| Command::TurnInContact { limb, dof, degrees, by: By::To };

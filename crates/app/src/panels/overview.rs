@@ -57,12 +57,13 @@ impl Sheet<'_> {
             }
         });
         let words = Rect::from_min_max(bar.min, pos2(buttons.response.rect.left() - 6.0, bar.bottom()));
+        let palette = theme::of(ui);
         let painter = ui.painter().with_clip_rect(words.intersect(ui.clip_rect()));
         let (text, color) = match (self.panels.selection.bones(), self.panels.selected()) {
-            ([], _) | (_, None) => ("Nothing chosen".to_owned(), theme::FAINT_TEXT),
-            ([_], Some(bone)) => (labels::full(bone), theme::TEXT),
+            ([], _) | (_, None) => ("Nothing chosen".to_owned(), palette.faint_text),
+            ([_], Some(bone)) => (labels::full(bone), palette.text),
             (bones, Some(bone)) => {
-                (format!("{} and {} more", labels::full(bone), bones.len() - 1), theme::TEXT)
+                (format!("{} and {} more", labels::full(bone), bones.len() - 1), palette.text)
             }
         };
         let at = pos2(words.left() + 4.0, words.center().y);

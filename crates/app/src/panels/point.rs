@@ -3,10 +3,10 @@
 use egui::{Rect, Ui, pos2};
 use glam::DVec3;
 
+use super::row::Ink;
 use super::{Sheet, row};
 use crate::number::Number;
 use crate::rail::Change;
-use crate::theme;
 
 /// A place that was typed or is being dragged.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ impl Sheet<'_> {
     /// A row with a place in metres; `part` names it: `Left arm target`.
     pub(super) fn point(&self, ui: &mut Ui, title: &str, part: &str, tip: &str, at: DVec3) -> Option<Moved> {
         let columns = row::next(ui);
-        row::text(ui, columns.joint, title, theme::TEXT).on_hover_text(tip);
+        row::text(ui, columns.joint, title, Ink::Plain).on_hover_text(tip);
         let cells = columns.rest();
         let width = (cells.width() - 8.0) / 3.0;
         let held = egui::Id::unique(("held", part));

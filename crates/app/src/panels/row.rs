@@ -50,11 +50,36 @@ impl Row {
     }
 }
 
+/// What words are written with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ink {
+    /// What a row is about.
+    Plain,
+    /// What explains.
+    Faint,
+    /// What went short.
+    Warning,
+    /// What is chosen.
+    Chosen,
+}
+
+impl Ink {
+    fn color(self, ui: &Ui) -> Color32 {
+        let palette = theme::of(ui);
+        match self {
+            Ink::Plain => palette.text,
+            Ink::Faint => palette.faint_text,
+            Ink::Warning => palette.warning,
+            Ink::Chosen => palette.accent,
+        }
+    }
+}
+
 /// Writes into a cell, cut off at its end; the response is for tooltips and clicks.
-pub fn text(ui: &mut Ui, rect: Rect, words: &str, color: Color32) -> egui::Response {
+pub fn text(ui: &mut Ui, rect: Rect, words: &str, ink: Ink) -> egui::Response {
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let at = pos2(rect.left() + 2.0, rect.center().y);
-    painter.text(at, Align2::LEFT_CENTER, words, FontId::proportional(12.5), color);
+    painter.text(at, Align2::LEFT_CENTER, words, FontId::proportional(12.5), ink.color(ui));
     ui.interact(rect, egui::Id::unique(("cell", rect.min.x as i32, rect.min.y as i32)), Sense::hover())
 }
 
@@ -64,7 +89,8 @@ pub fn subtitle(ui: &mut Ui, words: &str) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), 18.0));
     let painter = ui.painter();
     let at = pos2(rect.left() + 2.0, rect.center().y);
-    let written = painter.text(at, Align2::LEFT_CENTER, words, FontId::proportional(11.5), theme::FAINT_TEXT);
-    let line = egui::Stroke::new(1.0, Color32::from_gray(52));
+    let written =
+        painter.text(at, Align2::LEFT_CENTER, words, FontId::proportional(11.5), theme::of(ui).faint_text);
+    let line = egui::Stroke::new(1.0, theme::of(ui).line);
     painter.hline((written.right() + 8.0)..=rect.right(), rect.center().y, line);
 }

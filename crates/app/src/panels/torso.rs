@@ -5,10 +5,10 @@ use egui::Ui;
 use kin::Interval;
 use rig::Bone;
 
+use super::row::Ink;
 use super::{Sheet, row};
 use crate::number::Number;
 use crate::rail::Rail;
-use crate::theme;
 
 const SPINE: [Bone; 3] = [Bone::Spine, Bone::Chest, Bone::UpperChest];
 
@@ -28,7 +28,7 @@ impl Sheet<'_> {
     fn twist_spine(&mut self, ui: &mut Ui, top: glam::DVec3, twist: f64) {
         let name = "Spine twist";
         let columns = row::next(ui);
-        row::text(ui, columns.joint, "Twist", theme::TEXT).on_hover_text("+ turns to the figure's left");
+        row::text(ui, columns.joint, "Twist", Ink::Plain).on_hover_text("+ turns to the figure's left");
         let span = Interval::new(-90.0, 90.0).reaching(twist);
         let rail = Rail { name, value: twist, span, live: None, wraps: false, rest: 0.0 };
         let wide = egui::Rect::from_min_max(columns.angle.min, columns.rail.max);

@@ -1,7 +1,7 @@
 //! The tree of joints: every joint in the skeleton's order, under the one that carries it.
 
 use edit::Choose;
-use egui::{Align2, Color32, CursorIcon, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, Ui};
+use egui::{Align2, CursorIcon, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, Ui};
 use egui::{TextEdit, UiBuilder, WidgetInfo, pos2, vec2};
 use rig::{Bone, Limb, Side};
 
@@ -96,7 +96,7 @@ impl Sheet<'_> {
         let list = ui.interact(place, egui::Id::unique("part tree"), Sense::FOCUSABLE);
         list.widget_info(|| WidgetInfo::labeled(Role::Tree, ui.is_enabled(), "Part tree"));
         self.walk_tree(ui, &list, &rows);
-        ui.painter().rect_filled(place, 3.0, theme::WELL);
+        ui.painter().rect_filled(place, 3.0, theme::of(ui).well);
         let inside = UiBuilder::new().scope_id(egui::Id::unique("tree rows")).max_rect(place.shrink(2.0));
         ui.scope_builder(inside, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
@@ -105,13 +105,14 @@ impl Sheet<'_> {
                     self.tree_row(ui, &list, *row);
                 }
                 if rows.is_empty() {
+                    let palette = theme::of(ui);
                     ui.add_space(8.0);
-                    ui.label(egui::RichText::new("  No joint has these words").color(theme::FAINT_TEXT));
+                    ui.label(egui::RichText::new("  No joint has these words").color(palette.faint_text));
                 }
             });
         });
         if list.has_focus() {
-            let ring = Stroke::new(1.0, theme::ACCENT);
+            let ring = Stroke::new(1.0, theme::of(ui).accent);
             ui.painter().rect_stroke(place, 3.0, ring, egui::StrokeKind::Inside);
         }
     }
@@ -138,6 +139,9 @@ impl Sheet<'_> {
                 self.panels.tree.set_folded(bone, !folded);
             }
         }
+        let cell = Rect::from_min_max(pos2(place.right() - 22.0, place.top()), place.max);
+        let name = format!("Lock {}", labels::full(bone).to_lowercase());
+        self.lock_toggle(ui, cell, bone, &name, chosen || response.contains_pointer());
         if response.contains_pointer() {
             self.panels.hinted = Some(bone);
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
@@ -150,17 +154,17 @@ impl Sheet<'_> {
     }
 
     fn paint_row(&self, ui: &Ui, place: Rect, left: f32, bone: Bone, hovered: bool) {
-        let painter = ui.painter();
+        let (painter, palette) = (ui.painter(), theme::of(ui));
         let (chosen, active) = (self.panels.selection.contains(bone), self.panels.selected() == Some(bone));
         if chosen || hovered || self.panels.lit == Some(bone) {
-            painter.rect_filled(place, 2.0, theme::HEADER);
+            painter.rect_filled(place, 2.0, palette.header);
         }
         if chosen {
             // The active one has the wider mark.
             let mark = Rect::from_min_size(place.min, vec2(if active { 4.0 } else { 2.0 }, place.height()));
-            painter.rect_filled(mark, 1.0, theme::ACCENT);
+            painter.rect_filled(mark, 1.0, palette.accent);
         }
-        let color = if chosen { theme::ACCENT } else { theme::TEXT };
+        let color = if chosen { palette.accent } else { palette.text };
         let y = place.center().y;
         let font = FontId::proportional(12.5);
         let written =
@@ -169,12 +173,12 @@ impl Sheet<'_> {
         if let Some(side) = bone.side() {
             let letter = if side == Side::Left { "L" } else { "R" };
             let font = FontId::proportional(11.0);
-            painter.text(pos2(next, y), Align2::CENTER_CENTER, letter, font, theme::side(side));
+            painter.text(pos2(next, y), Align2::CENTER_CENTER, letter, font, palette.side(side));
             next += 13.0;
         }
         if let Some(limb) = Limb::ALL.into_iter().find(|limb| limb.parts().end == bone) {
             let contact = &self.editor.pose().limb(limb).contact;
-            glyph::contact(painter, pos2(next, y), 8.0, contact, theme::side(limb.side()));
+            glyph::contact(painter, pos2(next, y), 8.0, contact, palette.side(limb.side()));
         }
     }
 
@@ -229,7 +233,8 @@ fn fold(ui: &Ui, place: Rect, bone: Bone, folded: bool) -> bool {
     } else {
         vec![c + vec2(-4.0, -2.0), c + vec2(4.0, -2.0), c + vec2(0.0, 3.0)]
     };
-    let color: Color32 = if response.contains_pointer() { theme::TEXT } else { theme::FAINT_TEXT };
+    let palette = theme::of(ui);
+    let color = if response.contains_pointer() { palette.text } else { palette.faint_text };
     ui.painter().add(egui::Shape::convex_polygon(points, color, Stroke::NONE));
     response.clicked()
 }
