@@ -54,8 +54,11 @@ pub enum Constraint {
 pub struct Modifiers {
     /// A tenth of the way, from where this began.
     pub slow: bool,
-    /// Whole centimetres along the world's axes, counted from the first point.
+    /// Whole centimetres along the world's axes, counted from the first point; whole steps of 5 degrees for a turn.
+    /// It suspends what snaps by itself, and makes snap what doesn't.
     pub snap: bool,
+    /// The rings of hand, forearm and foot turn about the articulator, which stays.
+    pub in_contact: bool,
 }
 
 /// A point on the pointer.
@@ -164,6 +167,17 @@ impl Drag {
         self.first + snapped
     }
 
+    /// The direction in which a distance is counted that is typed: the axis that it is held to, else the way that the
+    /// pointer has gone so far. `None` before it has gone any.
+    pub fn direction(&self) -> Option<DVec3> {
+        match self.constraint {
+            Constraint::Along(axis) => Some(axis.vector()),
+            Constraint::View | Constraint::Across(_) => {
+                (self.held(self.counted()) - self.first).try_normalize()
+            }
+        }
+    }
+
     /// Where the pointer counts as being in the view's plane.
     fn counted(&self) -> DVec3 {
         let share = if self.slow { SLOW } else { 1.0 };
@@ -210,9 +224,9 @@ mod tests {
     use super::*;
 
     const SIZE: Vec2 = Vec2::new(1000.0, 800.0);
-    const PLAIN: Modifiers = Modifiers { slow: false, snap: false };
-    const SLOWLY: Modifiers = Modifiers { slow: true, snap: false };
-    const SNAPPED: Modifiers = Modifiers { slow: false, snap: true };
+    const PLAIN: Modifiers = Modifiers { slow: false, snap: false, in_contact: false };
+    const SLOWLY: Modifiers = Modifiers { slow: true, snap: false, in_contact: false };
+    const SNAPPED: Modifiers = Modifiers { slow: false, snap: true, in_contact: false };
 
     fn first() -> DVec3 {
         DVec3::new(0.4, 1.2, 0.15)

@@ -4,8 +4,9 @@
 //! first pose, so that the result does not depend on how many events came between.
 
 use glam::{DQuat, DVec3};
-use rig::{Articulation, Bone, Contact, Dof, Evaluation, Figure, Frames, Limb, Pose};
+use rig::{Bone, Contact, Evaluation, Figure, Frames, Limb, Pose};
 
+use crate::ring::Swing;
 use crate::{At, By, Command, Goal, Hit};
 
 /// What a drag moves.
@@ -56,6 +57,24 @@ impl Grab {
         }
     }
 
+    /// Takes hold of a point of a bone, metres, world, to move what a handle says.
+    pub fn of(
+        handle: Handle,
+        bone: Bone,
+        point_in_world: DVec3,
+        pose: &Pose,
+        evaluation: &Evaluation,
+    ) -> Grab {
+        Grab {
+            handle,
+            bone,
+            point_in_bone: evaluation.frames[bone].inverse().point(point_in_world),
+            first_in_world: point_in_world,
+            first: pose.clone(),
+            frames: evaluation.frames,
+        }
+    }
+
     /// The commands that bring the grabbed point toward a point of the world, from the pose at which the grab began.
     pub fn commands(&self, figure: &Figure, to_in_world: DVec3) -> Vec<Command> {
         match self.handle {
@@ -89,24 +108,12 @@ impl Grab {
         let level = |point: DVec3| (point - root).reject_from_normalized(axis);
         let (from, to) = (level(self.first_in_world), level(to_in_world));
         let turned = axis.dot(from.cross(to)).atan2(from.dot(to)).to_degrees();
-        // Reported elevations rise outward: about the line for a left arm, against it for its twin; legs the other way.
-        let sense = if limb.is_arm() == (limb.side() == rig::Side::Left) { 1.0 } else { -1.0 };
-        vec![Command::Elevate { limb, degrees: sense * turned, by: By::Delta }]
+        vec![Command::Elevate { limb, degrees: elevation_sense(limb) * turned, by: By::Delta }]
     }
 
     fn swing(&self, figure: &Figure, bone: Bone, to_in_world: DVec3) -> Vec<Command> {
-        let Some(joint) = figure.skeleton.joint(bone) else { return Vec::new() };
-        let Articulation::Ball { ball, .. } = &joint.articulation else { return Vec::new() };
-        let carrier = joint.carrier.map_or(DQuat::IDENTITY, |c| self.frames[c].rotation);
-        let turned = self.turn_about(self.frames[bone].position, to_in_world) * self.frames[bone].rotation;
-        let angles = ball.angles(carrier.conjugate() * turned);
-        let turn = |(dof, angle): (Dof, f64)| Command::Turn {
-            joint: bone,
-            dof,
-            degrees: angle.to_degrees(),
-            by: By::To,
-        };
-        Dof::ALL.into_iter().zip(angles).map(turn).collect()
+        let Some(swing) = Swing::of(figure, &self.first, &self.frames, bone) else { return Vec::new() };
+        swing.commands(self.turn_about(self.frames[bone].position, to_in_world))
     }
 
     fn bend(&self, figure: &Figure, to_in_world: DVec3) -> Vec<Command> {
@@ -124,6 +131,12 @@ impl Grab {
         let gaze = turn * (head.rotation * DVec3::Z);
         vec![Command::LookAt { at: eyes + gaze * 2.0 }]
     }
+}
+
+/// Reported elevations rise outward: +1 where that is about the line from root to articulator, as for a left arm, -1
+/// where it is against it, as for its twin; legs are the other way round.
+pub(crate) fn elevation_sense(limb: Limb) -> f64 {
+    if limb.is_arm() == (limb.side() == rig::Side::Left) { 1.0 } else { -1.0 }
 }
 
 /// What a drag of that place of the skin moves.

@@ -1,0 +1,124 @@
+//! What lies under the pointer: knobs come before targets, targets before joints, all of them before the skin.
+
+use glam::{DVec3, Vec2};
+use rig::{Bone, Limb, Reacher};
+
+use crate::{Editor, Hit, Knob, Placed, PosedSkin, Stage, marked_joints};
+
+/// A mark that a click or a drag may mean.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mark {
+    /// A ring, arc or handle.
+    Knob(Knob),
+    /// The cross of a limb's target.
+    Target(Limb),
+    /// The disc of a joint: a click chooses it, a drag takes the skin.
+    Joint(Bone),
+}
+
+/// All that lies under one place of the picture.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Spot {
+    /// The mark that comes first.
+    pub mark: Option<Mark>,
+    /// The skin, unless a mark above it would be taken.
+    pub skin: Option<Hit>,
+}
+
+/// How near the pointer must come to a target or a joint.
+const REACH_PX: f32 = 9.0;
+
+impl Mark {
+    /// The bone that a click chooses; `None` where it chooses nothing.
+    pub fn bone(self, editor: &Editor) -> Option<Bone> {
+        match self {
+            Mark::Knob(knob) => knob.bone(),
+            Mark::Target(limb) => Some(reaching_bone(editor, limb)),
+            Mark::Joint(bone) => Some(bone),
+        }
+    }
+
+    /// Where a target or joint is, metres, world; `None` for a knob.
+    pub fn place(self, editor: &Editor) -> Option<DVec3> {
+        match self {
+            Mark::Knob(_) => None,
+            Mark::Target(limb) => Some(editor.evaluation().limbs[limb.index()].target),
+            Mark::Joint(bone) => Some(editor.evaluation().frames[bone].position),
+        }
+    }
+}
+
+impl Spot {
+    /// Whether a drag from here moves the figure.
+    pub fn is_figure(&self) -> bool {
+        self.skin.is_some() || matches!(self.mark, Some(Mark::Knob(_) | Mark::Target(_)))
+    }
+
+    /// The bone whose skin a drag from here would take.
+    pub fn skin_bone(&self) -> Option<Bone> {
+        self.skin.map(|hit| hit.bone)
+    }
+}
+
+/// What lies under a place of the picture. `placed` are the knobs of the stage, `skin` is its figure's.
+pub fn spot(stage: &Stage, skin: &PosedSkin, placed: &[Placed], at_px: Vec2) -> Spot {
+    let hit = || skin.hit(stage.editor, stage.sight.ray(at_px));
+    let knobs = placed.iter().filter_map(|p| p.cost_px(&stage.sight, at_px).map(|cost| (cost, p.knob)));
+    let knob = knobs.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, knob)| knob);
+    let target = || mark(stage, at_px).filter(|mark| matches!(mark, Mark::Target(_)));
+    let only = |mark: Mark| Spot { mark: Some(mark), skin: None };
+    match knob {
+        Some(knob) if knob.is_on_ground() => {
+            let under = hit();
+            if under.is_none() {
+                return target().map_or(only(Mark::Knob(knob)), only);
+            }
+            Spot { mark: mark(stage, at_px), skin: under }.without_skin_under_targets()
+        }
+        Some(knob) if knob.yields_to_targets() => target().map_or(only(Mark::Knob(knob)), only),
+        Some(knob) => only(Mark::Knob(knob)),
+        None => match mark(stage, at_px) {
+            Some(target @ Mark::Target(_)) => only(target),
+            mark => Spot { mark, skin: hit() },
+        },
+    }
+}
+
+impl Spot {
+    fn without_skin_under_targets(self) -> Spot {
+        if matches!(self.mark, Some(Mark::Target(_))) { Spot { skin: None, ..self } } else { self }
+    }
+}
+
+/// The bone that carries a limb's articulator; the end if the figure doesn't know the articulator.
+fn reaching_bone(editor: &Editor, limb: Limb) -> Bone {
+    match &editor.pose().limb(limb).reacher {
+        Reacher::Point(bone, _) => *bone,
+        Reacher::Named(_) => editor.figure().articulator(editor.pose(), limb).bone,
+    }
+}
+
+/// The nearest target or joint within reach. Of marks at one place the target comes first; of joints the one nearer to
+/// the eye wins by a little.
+fn mark(stage: &Stage, at_px: Vec2) -> Option<Mark> {
+    if !stage.marks {
+        return None;
+    }
+    let (editor, camera) = (stage.editor, &stage.sight.camera);
+    let lit: Vec<Bone> = stage.selected.into_iter().collect();
+    let joints = marked_joints(editor, &stage.sight, &lit).into_iter().map(Mark::Joint);
+    let targets = Limb::ALL.into_iter().map(Mark::Target);
+    let toward = camera.axes().z_axis;
+    let clip_from_world = camera.clip_from_world(stage.sight.size_px.x / stage.sight.size_px.y.max(1.0));
+    let cost = |mark: Mark| {
+        let place = mark.place(editor)?.as_vec3();
+        let clip = clip_from_world * place.extend(1.0);
+        let ndc = Vec2::new(clip.x, -clip.y) / clip.w;
+        let distance = ((ndc * 0.5 + 0.5) * stage.sight.size_px).distance(at_px);
+        let favour = if matches!(mark, Mark::Target(_)) { -3.0 } else { 0.0 };
+        let cost = distance + favour - 4.0 * (place - camera.target).dot(toward);
+        (clip.w > 1e-6 && distance <= REACH_PX).then_some(cost)
+    };
+    let all = targets.chain(joints).filter_map(|mark| cost(mark).map(|cost| (cost, mark)));
+    all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, mark)| mark)
+}
