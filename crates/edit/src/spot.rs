@@ -62,32 +62,24 @@ impl Spot {
 
 /// What lies under a place of the picture. `placed` are the knobs of the stage, `skin` is its figure's.
 pub fn spot(stage: &Stage, skin: &PosedSkin, placed: &[Placed], at_px: Vec2) -> Spot {
-    let hit = || skin.hit(stage.editor, stage.sight.ray(at_px));
     let knobs = placed.iter().filter_map(|p| p.cost_px(&stage.sight, at_px).map(|cost| (cost, p.knob)));
     let knob = knobs.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, knob)| knob);
-    let target = || mark(stage, at_px).filter(|mark| matches!(mark, Mark::Target(_)));
     let only = |mark: Mark| Spot { mark: Some(mark), skin: None };
-    match knob {
-        Some(knob) if knob.is_on_ground() => {
-            let under = hit();
-            if under.is_none() {
-                return target().map_or(only(Mark::Knob(knob)), only);
-            }
-            Spot { mark: mark(stage, at_px), skin: under }.without_skin_under_targets()
-        }
-        Some(knob) if knob.yields_to_targets() => target().map_or(only(Mark::Knob(knob)), only),
-        Some(knob) => only(Mark::Knob(knob)),
-        None => match mark(stage, at_px) {
-            Some(target @ Mark::Target(_)) => only(target),
-            mark => Spot { mark, skin: hit() },
-        },
+    if let Some(knob) = knob.filter(|knob| !knob.yields_to_targets() && !knob.is_on_ground()) {
+        return only(Mark::Knob(knob));
     }
-}
-
-impl Spot {
-    fn without_skin_under_targets(self) -> Spot {
-        if matches!(self.mark, Some(Mark::Target(_))) { Spot { skin: None, ..self } } else { self }
+    let target = nearest(stage, at_px, Limb::ALL.into_iter().map(Mark::Target));
+    if let Some(first) = target.or(knob.filter(|knob| knob.yields_to_targets()).map(Mark::Knob)) {
+        return only(first);
     }
+    let hit = skin.hit(stage.editor, stage.sight.ray(at_px));
+    // What stands on the ground is behind the skin that is before it.
+    if let Some(knob) = knob.filter(|_| hit.is_none()) {
+        return only(Mark::Knob(knob));
+    }
+    let lit: Vec<Bone> = stage.selected.into_iter().chain(hit.map(|hit| hit.bone)).collect();
+    let joints = marked_joints(stage.editor, &stage.sight, &lit).into_iter().map(Mark::Joint);
+    Spot { mark: nearest(stage, at_px, joints), skin: hit }
 }
 
 /// The bone that carries a limb's articulator; the end if the figure doesn't know the articulator.
@@ -98,27 +90,22 @@ fn reaching_bone(editor: &Editor, limb: Limb) -> Bone {
     }
 }
 
-/// The nearest target or joint within reach. Of marks at one place the target comes first; of joints the one nearer to
-/// the eye wins by a little.
-fn mark(stage: &Stage, at_px: Vec2) -> Option<Mark> {
+/// The nearest of some targets or joints within reach; the one nearer to the eye wins by a little.
+fn nearest(stage: &Stage, at_px: Vec2, marks: impl Iterator<Item = Mark>) -> Option<Mark> {
     if !stage.marks {
         return None;
     }
-    let (editor, camera) = (stage.editor, &stage.sight.camera);
-    let lit: Vec<Bone> = stage.selected.into_iter().collect();
-    let joints = marked_joints(editor, &stage.sight, &lit).into_iter().map(Mark::Joint);
-    let targets = Limb::ALL.into_iter().map(Mark::Target);
+    let Sight { camera, size_px } = stage.sight;
     let toward = camera.axes().z_axis;
-    let clip_from_world = camera.clip_from_world(stage.sight.size_px.x / stage.sight.size_px.y.max(1.0));
+    let clip_from_world = camera.clip_from_world(size_px.x / size_px.y.max(1.0));
     let cost = |mark: Mark| {
-        let place = mark.place(editor)?.as_vec3();
+        let place = mark.place(stage.editor)?.as_vec3();
         let clip = clip_from_world * place.extend(1.0);
         let ndc = Vec2::new(clip.x, -clip.y) / clip.w;
-        let distance = ((ndc * 0.5 + 0.5) * stage.sight.size_px).distance(at_px);
-        let favour = if matches!(mark, Mark::Target(_)) { -3.0 } else { 0.0 };
-        let cost = distance + favour - 4.0 * (place - camera.target).dot(toward);
+        let distance = ((ndc * 0.5 + 0.5) * size_px).distance(at_px);
+        let cost = distance - 4.0 * (place - camera.target).dot(toward);
         (clip.w > 1e-6 && distance <= REACH_PX).then_some(cost)
     };
-    let all = targets.chain(joints).filter_map(|mark| cost(mark).map(|cost| (cost, mark)));
+    let all = marks.filter_map(|mark| cost(mark).map(|cost| (cost, mark)));
     all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, mark)| mark)
 }
