@@ -55,6 +55,27 @@ pub fn bounds(figure: &Figure, evaluation: &Evaluation) -> Bounds {
 /// # Errors
 /// No adapter; a size that the adapter can't draw.
 pub fn picture(editor: &Editor, shot: &Shot) -> Result<Image, Failure> {
+    let aspect = shot.size[0] as f32 / shot.size[1] as f32;
+    let camera = Camera::view(shot.view, bounds(editor.figure(), editor.evaluation()), aspect);
+    let look = Look { transparent: shot.transparent, ..Look::default() };
+    image_of(editor, camera, shot.size, look, shot.pass)
+}
+
+/// Draws an editor's pose as a camera sees it, without marks.
+///
+/// # Errors
+/// No adapter; a size that the adapter can't draw.
+pub fn seen(editor: &Editor, camera: Camera, size: [u32; 2]) -> Result<Image, Failure> {
+    image_of(editor, camera, size, Look::default(), Pass::Color)
+}
+
+fn image_of(
+    editor: &Editor,
+    camera: Camera,
+    size: [u32; 2],
+    look: Look,
+    pass: Pass,
+) -> Result<Image, Failure> {
     let gpu = open_gpu()?;
     let figure = editor.figure();
     let evaluation = editor.evaluation();
@@ -63,12 +84,8 @@ pub fn picture(editor: &Editor, shot: &Shot) -> Result<Image, Failure> {
     renderer.set_mesh(0, &mesh).map_err(|e| Failure::Input(e.to_string()))?;
     let palette = Palette::new(&evaluation.frames, &rest_positions(figure));
     let figures = [FigureView::new(&palette)];
-    let aspect = shot.size[0] as f32 / shot.size[1] as f32;
-    let camera = Camera::view(shot.view, bounds(figure, evaluation), aspect);
     let keypoints = keypoints(figure, evaluation);
-    let look = Look { transparent: shot.transparent, ..Look::default() };
-    let scene =
-        Scene { look, pass: shot.pass, keypoints: &keypoints, ..Scene::new(&figures, camera, shot.size) };
+    let scene = Scene { look, pass, keypoints: &keypoints, ..Scene::new(&figures, camera, size) };
     renderer.image(&scene).map_err(|e| Failure::Input(e.to_string()))
 }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use edit::Editor;
 use egui::Rect;
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
-use render::{Blit, DrawError, FigureView, Gpu, Look, Overlay, Renderer, Scene};
-use rig::{Bone, Camera, Mesh, Palette};
+use render::{Blit, DrawError, FigureView, Gpu, Image, Look, Overlay, Renderer, Scene};
+use rig::{Bone, Camera, Figure, Mesh, Palette};
 
 /// What one picture shows. Equal pictures look equal, so the second of two is not drawn.
 #[derive(Clone, PartialEq, Debug)]
@@ -19,6 +19,18 @@ pub struct Picture {
     selected: Vec<Bone>,
     hovered: Vec<Bone>,
     overlay: Overlay,
+    backdrop: Option<Reference>,
+    slot: usize,
+}
+
+/// A picture behind the figure; the same one is one and the same allocation.
+#[derive(Clone, Debug)]
+struct Reference(Arc<Image>);
+
+impl PartialEq for Reference {
+    fn eq(&self, other: &Reference) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// Bones whose skin is tinted.
@@ -53,35 +65,66 @@ impl Picture {
             selected: lit.selected.to_vec(),
             hovered: lit.hovered.into_iter().collect(),
             overlay,
+            backdrop: None,
+            slot: 0,
         }
+    }
+
+    /// The surroundings of a light or a dark window.
+    pub fn in_light(mut self, light: bool) -> Picture {
+        let theme = if light { Look::light() } else { Look::default() };
+        self.look = Look { msaa: self.look.msaa, shadow: self.look.shadow, ..theme };
+        self
+    }
+
+    /// Before a picture for reference of that opacity.
+    pub fn before(mut self, reference: Option<(&Arc<Image>, f32)>) -> Picture {
+        self.backdrop = reference.map(|(image, _)| Reference(image.clone()));
+        self.look.backdrop_opacity = reference.map_or(0.0, |(_, opacity)| opacity);
+        self
+    }
+
+    /// The small second picture, kept apart from the large one.
+    pub fn in_second_slot(mut self) -> Picture {
+        self.slot = 1;
+        self
     }
 }
 
 /// What draws pictures, kept with egui's renderer.
 pub struct PictureGpu {
-    renderer: Renderer,
-    blit: Blit,
-    drawn: Option<Picture>,
+    gpu: Gpu,
+    format: wgpu::TextureFormat,
+    figure: Arc<Figure>,
+    /// The large picture, and the small one once it was shown: each has textures of its own.
+    slots: [Option<Slot>; 2],
     /// Pictures drawn so far.
     pub count: u64,
 }
 
-impl PictureGpu {
-    /// Makes ready for a target of that format; uploads the skin, if there is one.
-    ///
-    /// # Errors
-    /// The skin is at fault.
-    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, skin: Option<&Mesh>) -> Result<PictureGpu, DrawError> {
+/// One picture's renderer, and what it drew last.
+struct Slot {
+    renderer: Renderer,
+    blit: Blit,
+    drawn: Option<Picture>,
+}
+
+impl Slot {
+    fn new(gpu: &Gpu, format: wgpu::TextureFormat, skin: Option<&Mesh>) -> Result<Slot, DrawError> {
         let mut renderer = Renderer::new(gpu);
         if let Some(mesh) = skin {
             renderer.set_mesh(0, mesh)?;
         }
-        Ok(PictureGpu { renderer, blit: Blit::new(gpu, format), drawn: None, count: 0 })
+        Ok(Slot { renderer, blit: Blit::new(gpu, format), drawn: None })
     }
 
-    fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) {
+    /// Draws a picture unless it is the one drawn before; whether it did.
+    fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) -> Result<bool, DrawError> {
         if self.drawn.as_ref() == Some(picture) {
-            return;
+            return Ok(false);
+        }
+        if self.drawn.as_ref().and_then(|drawn| drawn.backdrop.as_ref()) != picture.backdrop.as_ref() {
+            self.renderer.set_backdrop(picture.backdrop.as_ref().map(|reference| &*reference.0))?;
         }
         let figure = FigureView {
             selected: &picture.selected,
@@ -94,12 +137,37 @@ impl PictureGpu {
             overlay: &picture.overlay,
             ..Scene::new(figures, picture.camera, picture.size)
         };
-        match self.renderer.draw(encoder, &scene) {
-            Ok(_) => {
-                self.count += 1;
-                self.drawn = Some(picture.clone());
-                self.blit.prepare(&self.renderer);
-            }
+        self.renderer.draw(encoder, &scene)?;
+        self.drawn = Some(picture.clone());
+        self.blit.prepare(&self.renderer);
+        Ok(true)
+    }
+}
+
+impl PictureGpu {
+    /// Makes ready for a target of that format; uploads the skin, if there is one.
+    ///
+    /// # Errors
+    /// The skin is at fault.
+    pub fn new(
+        gpu: &Gpu,
+        format: wgpu::TextureFormat,
+        figure: &Arc<Figure>,
+    ) -> Result<PictureGpu, DrawError> {
+        let first = Slot::new(gpu, format, figure.skin.as_ref())?;
+        let slots = [Some(first), None];
+        Ok(PictureGpu { gpu: gpu.clone(), format, figure: figure.clone(), slots, count: 0 })
+    }
+
+    fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) {
+        let Some(place) = self.slots.get_mut(picture.slot) else { return };
+        let slot = match place.take() {
+            Some(slot) => Ok(slot),
+            None => Slot::new(&self.gpu, self.format, self.figure.skin.as_ref()),
+        };
+        let drawn = slot.and_then(|slot| place.insert(slot).draw(encoder, picture));
+        match drawn {
+            Ok(drawn) => self.count += u64::from(drawn),
             Err(error) => log::error!("the figure can't be drawn: {error}"),
         }
     }
@@ -129,7 +197,9 @@ impl CallbackTrait for Picture {
         let Some(gpu) = resources.get::<PictureGpu>() else { return };
         let at = info.viewport_in_pixels();
         let rect = [at.left_px as f32, at.top_px as f32, at.width_px as f32, at.height_px as f32];
-        gpu.blit.paint(pass, rect);
+        if let Some(slot) = gpu.slots.get(self.slot).and_then(Option::as_ref) {
+            slot.blit.paint(pass, rect);
+        }
     }
 }
 
@@ -141,9 +211,9 @@ pub fn install(
     renderer: &mut egui_wgpu::Renderer,
     gpu: &Gpu,
     format: wgpu::TextureFormat,
-    figure: &Arc<rig::Figure>,
+    figure: &Arc<Figure>,
 ) -> Result<(), DrawError> {
-    renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure.skin.as_ref())?);
+    renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure)?);
     Ok(())
 }
 
