@@ -1,8 +1,9 @@
 //! Draws a number of pictures of the moving mannequin, for timing from outside:
-//! `time frames COUNT [msaa1] [noshadow] [half] [empty]`. The cost of a picture is the slope over COUNT.
+//! `time frames COUNT [msaa1] [noshadow] [half] [empty] [balls]`. The cost of a picture is the slope over COUNT.
 #![allow(clippy::unwrap_used)]
 
-use render::{FigureView, Gpu, Look, Msaa, Renderer, Scene};
+use glam::Vec3;
+use render::{Ball, FigureView, Gpu, Layer, Look, Msaa, Overlay, Renderer, Scene};
 use rig::{Camera, View};
 
 #[path = "../tests/body/mod.rs"]
@@ -33,10 +34,18 @@ fn main() {
         let figures = [FigureView::new(&palette)];
         let shown = if has("empty") { &figures[..0] } else { &figures[..] };
         let camera = Camera::view(View::ThreeQuarter, renderer.bounds(&figures), 1.6);
-        let scene = Scene { look, ..Scene::new(shown, camera, [1280, 800]) };
+        let overlay = if has("balls") { reach() } else { Overlay::EMPTY };
+        let scene = Scene { look, overlay: &overlay, ..Scene::new(shown, camera, [1280, 800]) };
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         renderer.draw(&mut encoder, &scene).unwrap();
         gpu.queue.submit([encoder.finish()]);
         gpu.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
     }
+}
+
+/// An arm's limits of reach, as two balls.
+fn reach() -> Overlay {
+    let center = Vec3::new(0.18, 1.41, 0.0);
+    let ball = |radius_m| Ball { center, radius_m, color: [90, 200, 255, 200], layer: Layer::Ghosted };
+    Overlay { balls: vec![ball(0.2), ball(0.56)], ..Overlay::EMPTY }
 }
