@@ -1,11 +1,15 @@
 //! Posewright, the program: command line, window and disk around the crates that do the work.
 
+mod action;
 pub mod cli;
 mod dialogs;
 pub mod disk;
 pub mod failure;
 pub mod keepsafe;
+mod keycap;
+mod keymap;
 pub mod labels;
+pub mod library;
 pub mod load;
 mod number;
 mod painter;
@@ -14,14 +18,14 @@ pub mod picture;
 mod rail;
 mod reaching;
 mod session;
-mod shortcuts;
+mod settings;
 mod status_line;
 mod theme;
 mod toolbar;
 mod viewport;
 pub mod window;
 
-pub use panels::{Panels, Section};
+pub use panels::{Overview, Panels, Section};
 pub use session::{Session, Status};
 pub use theme::apply as apply_theme;
 pub use viewport::{Viewport, install as install_picture};

@@ -1,20 +1,29 @@
 //! One window's work: the editor, the file that it came from, and how it is looked at. Drawn by [`Session::ui`] in the
 //! window, in tests and in pictures alike.
 
+mod act;
+mod clipboard;
+mod configure;
+mod files;
+mod keys;
+mod recovery;
+
 use std::path::{Path, PathBuf};
 
 use edit::{Document, Editor, Request};
-use egui::{Key, Modifiers, Ui};
+use egui::{Key, Ui};
 use rig::Pose;
 
-use crate::dialogs::{Dialog, Dialogs, Intent};
-use crate::disk::{self, Disk};
+use crate::action::Action;
+use crate::dialogs::Dialogs;
+use crate::disk::Disk;
 use crate::failure::Failure;
-use crate::keepsafe::{Keepsafe, Lost};
+use crate::keymap::Keymap;
 use crate::panels::Panels;
-use crate::shortcuts::{self, Wish};
-use crate::viewport::{self, Viewport};
-use crate::{load, status_line, theme, toolbar};
+use crate::settings::{ConfigFolder, Settings};
+use crate::viewport::Viewport;
+use crate::{status_line, theme, toolbar};
+use recovery::Recovery;
 
 /// What the status line says.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -44,11 +53,15 @@ pub struct Session {
     pub software: bool,
     moving: bool,
     quit: bool,
-    keepsafe: Option<Keepsafe>,
-    /// The revision that the keepsafe holds.
-    kept: u64,
-    /// What another window lost, while it is offered.
-    lost: Option<Lost>,
+    recovery: Recovery,
+    keymap: Keymap,
+    settings: Settings,
+    /// Where settings and keys are kept, and the settings as they are there.
+    config: Option<(ConfigFolder, Settings)>,
+    /// Text that came with the key for pasting.
+    paste_text: Option<String>,
+    /// Whether the clipboard was asked for to be pasted mirrored.
+    paste_mirrored: bool,
 }
 
 impl Session {
@@ -66,69 +79,13 @@ impl Session {
             software: false,
             moving: false,
             quit: false,
-            keepsafe: None,
-            kept: 0,
-            lost: None,
+            recovery: Recovery::default(),
+            keymap: Keymap::default(),
+            settings: Settings::default(),
+            config: None,
+            paste_text: None,
+            paste_mirrored: false,
         }
-    }
-
-    /// Keeps every committed pose in a folder, and offers what was lost there the last time.
-    ///
-    /// A folder that can't be written is told in the status line; the session goes on without.
-    pub fn keep_in(&mut self, folder: &Path) {
-        self.kept = self.editor.revision();
-        match Keepsafe::begin(folder) {
-            Ok((keepsafe, lost)) => {
-                self.keepsafe = Some(keepsafe);
-                self.lost = lost.into_iter().next();
-                if self.lost.is_some() {
-                    self.dialogs.ask(Dialog::Recover);
-                }
-            }
-            Err(error) => {
-                let message = format!("{}: poses can't be kept here: {error}", folder.display());
-                self.tell(Err(Failure::Input(message)));
-            }
-        }
-    }
-
-    /// The session has ended by itself: nothing is to be offered again.
-    pub fn end(&mut self) {
-        if let Some(keepsafe) = self.keepsafe.take() {
-            keepsafe.done();
-        }
-    }
-
-    /// Hands a pose that has changed to the keepsafe, gestures when they are committed.
-    fn keep(&mut self) {
-        let revision = self.editor.revision();
-        if let Some(keepsafe) =
-            self.keepsafe.as_ref().filter(|_| !self.editor.in_gesture() && revision != self.kept)
-        {
-            keepsafe.keep(rig::write_pose(self.editor.figure(), self.editor.pose()));
-            self.kept = revision;
-        }
-    }
-
-    /// Takes up the lost pose or forgets it.
-    fn recover(&mut self, wanted: bool) {
-        let Some(lost) = self.lost.take() else { return };
-        if wanted {
-            let figure = self.editor.figure().clone();
-            match rig::parse_pose(&lost.text) {
-                Ok(patch) if rig::check_patch(&figure, &patch).is_ok() => {
-                    self.submit(Request::Open(Box::new(patch.onto(&figure.rest_pose()))));
-                    self.status =
-                        Status { message: "Opened the pose that was kept".to_owned(), ..Status::default() };
-                }
-                _ => {
-                    let message = "the pose that was kept is not of this figure; it stays on disk".to_owned();
-                    self.tell(Err(Failure::Input(message)));
-                    return;
-                }
-            }
-        }
-        lost.forget();
     }
 
     /// The editor.
@@ -136,9 +93,24 @@ impl Session {
         &self.editor
     }
 
+    /// The document as it shows now.
+    pub fn document(&self) -> &Document {
+        self.editor.document()
+    }
+
     /// What the status line says.
     pub fn status(&self) -> &Status {
         &self.status
+    }
+
+    /// Which keys ask for what.
+    pub fn keymap(&self) -> &Keymap {
+        &self.keymap
+    }
+
+    /// What the user chose about the program.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// The file that the pose came from or went to.
@@ -181,63 +153,14 @@ impl Session {
         }
     }
 
-    /// Opens a pose file, now; what it doesn't name is at rest.
-    ///
-    /// # Errors
-    /// The file can't be read, or is no pose for this figure: file, line and column.
-    pub fn open(&mut self, path: &Path) -> Result<(), Failure> {
-        let pose = load::pose(self.editor.figure(), path)?;
-        self.submit(Request::Open(Box::new(pose)));
-        self.settle(path, "Opened");
-        Ok(())
-    }
-
-    /// Saves the pose to a file.
-    ///
-    /// # Errors
-    /// The file can't be written.
-    pub fn save(&mut self, path: &Path) -> Result<(), Failure> {
-        self.submit(Request::Commit);
-        disk::write_atomic(path, rig::write_pose(self.editor.figure(), self.editor.pose()).as_bytes())?;
-        self.settle(path, "Saved");
-        Ok(())
-    }
-
-    /// The pose is now the file's.
-    fn settle(&mut self, path: &Path, done: &str) {
-        self.saved = self.editor.pose().clone();
-        self.path = Some(path.to_owned());
-        self.status = Status { message: format!("{done} {}", path.display()), ..Status::default() };
-    }
-
-    /// Opens a dropped or named file, after asking about unsaved changes.
-    pub fn open_asking(&mut self, path: PathBuf) {
-        self.intend(Intent::Open(Some(path)));
-    }
-
-    /// Ends the session, after asking about unsaved changes.
-    pub fn quit_asking(&mut self) {
-        self.intend(Intent::Quit);
-    }
-
-    /// Does what is wanted, or asks first if the pose isn't saved.
-    fn intend(&mut self, intent: Intent) {
-        if self.is_modified() {
-            self.dialogs.ask(Dialog::Unsaved(intent));
-        } else {
-            self.proceed(intent);
+    fn submit_all(&mut self, requests: Vec<Request>) {
+        for request in requests {
+            self.submit(request);
         }
     }
 
-    fn proceed(&mut self, intent: Intent) {
-        match intent {
-            Intent::Quit => self.quit = true,
-            Intent::Open(None) => self.dialogs.open(self.path.as_deref()),
-            Intent::Open(Some(path)) => {
-                let opened = self.open(&path);
-                self.tell(opened);
-            }
-        }
+    fn say(&mut self, message: String) {
+        self.status = Status { message, ..Status::default() };
     }
 
     fn tell(&mut self, result: Result<(), Failure>) {
@@ -246,50 +169,80 @@ impl Session {
         }
     }
 
-    /// Saves to the file if there is one, or asks where; then goes on with what was wanted.
-    fn save_or_ask(&mut self, then: Option<Intent>) {
-        match self.path.clone() {
-            Some(path) => self.save_then(&path, then),
-            None => self.dialogs.save(None, then),
+    /// Whether a switch is on; `None` for actions that switch nothing.
+    pub fn is_on(&self, action: Action) -> Option<bool> {
+        match action {
+            Action::Ranges => Some(self.document().ranges),
+            Action::Marks => Some(self.viewport.marks),
+            Action::Panel => Some(self.settings.panel),
+            Action::Library => Some(self.settings.library),
+            Action::Symmetry => Some(self.document().symmetry),
+            Action::SecondView => Some(self.viewport.side_view),
+            Action::LookThroughPictureCamera => Some(self.viewport.looks_through_picture_camera()),
+            Action::Projection => Some(self.viewport.camera.projection == rig::Projection::Orthographic),
+            Action::Lock => {
+                let chosen = self.panels.selection();
+                Some(
+                    !chosen.is_empty()
+                        && chosen.bones().iter().all(|bone| self.document().locks.contains(*bone)),
+                )
+            }
+            _ => None,
         }
     }
 
-    fn save_then(&mut self, path: &Path, then: Option<Intent>) {
-        match self.save(path) {
-            Ok(()) => {
-                if let Some(intent) = then {
-                    self.proceed(intent);
-                }
+    /// Whether an action can do something now.
+    pub fn can(&self, action: Action) -> bool {
+        let chosen = !self.panels.selection().is_empty();
+        match action {
+            Action::Undo => self.editor.undo_name().is_some(),
+            Action::Redo => self.editor.redo_name().is_some(),
+            Action::Parent | Action::Child | Action::SelectNone | Action::Lock | Action::ClearRotation => {
+                chosen
             }
-            Err(error) => self.tell(Err(error)),
+            Action::CycleContact | Action::Flip => {
+                self.panels.selected().is_some_and(|bone| rig::Limb::of(bone).is_some())
+            }
+            _ => true,
         }
     }
 
     /// Draws everything and does what was asked for.
     pub fn ui(&mut self, ui: &mut Ui) {
+        self.show_as_chosen(ui.ctx());
         self.take_dropped(ui);
-        let modal = self.dialogs.is_open();
-        if !modal {
+        if !self.dialogs.is_open() {
             self.keys(ui);
         }
         let asked = toolbar::show(ui, self);
         for action in asked {
-            self.act(action);
+            self.act(ui.ctx(), action);
         }
         status_line::show(ui, self);
-        let panel = egui::Panel::left("panel").default_size(396.0).size_range(340.0..=560.0);
-        let frame = egui::Frame::new().fill(theme::PANEL).inner_margin(egui::Margin::symmetric(6, 6));
-        self.panels.light(self.viewport.hovered());
-        let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
-        self.submit_all(requests);
+        if self.settings.panel {
+            self.panel(ui);
+        }
         self.picture(ui);
         self.end_gesture(ui);
         self.dialogs(ui);
+        self.settings.marks = self.viewport.marks;
+        self.settings.second_view = self.viewport.side_view;
         self.keep();
+        self.keep_settings(ui);
+    }
+
+    fn panel(&mut self, ui: &mut Ui) {
+        let panel = egui::Panel::left("panel").default_size(396.0).size_range(340.0..=560.0);
+        let fill = theme::of(ui).panel;
+        let frame = egui::Frame::new().fill(fill).inner_margin(egui::Margin::symmetric(6, 6));
+        self.panels.light(self.viewport.hovered());
+        let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
+        self.submit_all(requests);
     }
 
     fn picture(&mut self, ui: &mut Ui) {
         self.viewport.hint(self.panels.hinted());
+        self.viewport.guides = self.panels.guides();
         let asked = egui::CentralPanel::no_frame()
             .show(ui, |ui| self.viewport.show(ui, &self.editor, self.panels.selection(), self.software))
             .inner;
@@ -298,12 +251,6 @@ impl Session {
             ui.ctx().request_repaint();
         }
         self.submit_all(asked.requests);
-    }
-
-    fn submit_all(&mut self, requests: Vec<Request>) {
-        for request in requests {
-            self.submit(request);
-        }
     }
 
     /// A gesture ends where the pointer lets go, and is undone by Escape, whatever was under the pointer.
@@ -322,79 +269,14 @@ impl Session {
         self.moving = moving;
     }
 
-    fn take_dropped(&mut self, ui: &Ui) {
-        let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
-        if let Some(path) = dropped {
-            self.open_asking(path);
-        }
-    }
-
-    fn keys(&mut self, ui: &Ui) {
-        use toolbar::Action;
-        let shift = Modifiers::COMMAND | Modifiers::SHIFT;
-        let shortcuts = [
-            (shift, Key::S, Action::SaveAs),
-            (Modifiers::COMMAND, Key::S, Action::Save),
-            (Modifiers::COMMAND, Key::O, Action::Open),
-            (shift, Key::Z, Action::Redo),
-            (Modifiers::COMMAND, Key::Z, Action::Undo),
-            (Modifiers::COMMAND, Key::Y, Action::Redo),
-            (Modifiers::COMMAND, Key::Q, Action::Quit),
-            (Modifiers::NONE, Key::F1, Action::Help),
-        ];
-        for (modifiers, key, action) in shortcuts {
-            if ui.input_mut(|i| i.consume_key(modifiers, key)) {
-                self.act(action);
-            }
-        }
-        let selected = self.panels.selected();
-        viewport::keys(ui, &mut self.viewport, &self.editor, selected);
-        match shortcuts::wish(ui, &self.editor, selected) {
-            Some(Wish::Ask(commands)) => {
-                self.submit(Request::PreviewAll(commands));
-                self.submit(Request::Commit);
-            }
-            Some(Wish::Choose(bone)) => self.panels.select(Some(bone)),
-            None => {}
-        }
-    }
-
-    fn act(&mut self, action: toolbar::Action) {
-        use toolbar::Action;
-        match action {
-            Action::Ask(request) => self.submit(*request),
-            Action::Undo => self.submit(Request::Undo),
-            Action::Redo => self.submit(Request::Redo),
-            Action::Open => self.intend(Intent::Open(None)),
-            Action::Save => self.save_or_ask(None),
-            Action::SaveAs => self.dialogs.save(self.path.as_deref(), None),
-            Action::Quit => self.quit_asking(),
-            Action::View(view) => self.viewport.view(view),
-            Action::Projection(projection) => self.viewport.set_projection(projection),
-            Action::FrameAll => self.viewport.frame_all(&self.editor),
-            Action::Marks(on) => self.viewport.marks = on,
-            Action::Help => self.dialogs.ask(Dialog::Help),
-        }
-    }
-
     fn dialogs(&mut self, ui: &Ui) {
-        use crate::dialogs::Answer;
-        match self.dialogs.show(ui.ctx()) {
-            Some(Answer::Open(path)) => self.proceed(Intent::Open(Some(path))),
-            Some(Answer::Save(path, then)) if path.exists() && self.path.as_ref() != Some(&path) => {
-                self.dialogs.ask(Dialog::Replace(path, then));
-                ui.ctx().request_repaint();
-            }
-            Some(Answer::Save(path, then) | Answer::Replace(path, then)) => self.save_then(&path, then),
-            Some(Answer::SaveFirst(intent)) => self.save_or_ask(Some(intent)),
-            Some(Answer::Discard(intent)) => self.proceed(intent),
-            Some(Answer::Recover(wanted)) => self.recover(wanted),
-            None => {}
+        let keys = self.keymap.clone();
+        let answer = self.dialogs.show(ui.ctx(), &mut self.settings, &mut self.viewport, &mut self.keymap);
+        if keys != self.keymap {
+            self.keep_keys();
         }
-    }
-
-    /// The document as it shows now.
-    pub fn document(&self) -> &Document {
-        self.editor.document()
+        if let Some(answer) = answer {
+            self.answered(ui, answer);
+        }
     }
 }

@@ -1,60 +1,92 @@
-//! The line at the bottom: what happened, what is out of reach, which file.
+//! The line at the bottom: what happened, what pointer and keys would do now, what is out of reach, which file.
 
-use egui::{Color32, RichText, Ui};
-use rig::{Contact, Limb};
+mod hints;
+
+use egui::{Align, Color32, Label, Layout, RichText, Ui};
+use rig::Limb;
 
 use crate::session::Session;
-use crate::{labels, theme};
-
-/// A miss smaller than this is none, metres.
-const MET_M: f64 = 0.0005;
+use crate::{keycap, labels, reaching, theme};
+use hints::Hint;
 
 /// Shows the line.
 pub fn show(ui: &mut Ui, session: &Session) {
-    let frame = egui::Frame::new().fill(theme::BAR).inner_margin(egui::Margin::symmetric(10, 4));
+    let frame = egui::Frame::new().fill(theme::of(ui).bar).inner_margin(egui::Margin::symmetric(10, 4));
     egui::Panel::bottom("status").frame(frame).resizable(false).exact_size(26.0).show(ui, |ui| {
-        ui.horizontal_centered(|ui| {
-            let status = session.status();
-            let color = if status.fault { theme::WARNING } else { theme::TEXT };
-            let mut words = session.viewport.telling().unwrap_or_else(|| status.message.clone());
-            if status.clamped {
-                words.push_str(if words.is_empty() {
-                    "Stopped short by a range"
-                } else {
-                    " · stopped short"
-                });
-            }
-            if words.is_empty() {
-                words = "Drag the figure, a slider, or the view. F1 explains.".to_owned();
-                text(ui, words, theme::FAINT_TEXT);
-            } else {
-                text(ui, words, color);
-            }
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let mark = if session.is_modified() { " · not saved" } else { "" };
-                text(ui, format!("{}{mark}", session.file_name()), theme::FAINT_TEXT);
-                let misses = misses(session);
-                if !misses.is_empty() {
-                    ui.add_space(12.0);
-                    text(ui, misses.join(" · "), theme::WARNING);
+        // The file and what is missed come from the right and keep their room; the rest takes what is left.
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            file(ui, session);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
+                ui.spacing_mut().item_spacing.x = 5.0;
+                news(ui, session);
+                for hint in hints::now(session) {
+                    if !show_hint(ui, &hint) {
+                        break;
+                    }
                 }
             });
         });
     });
 }
 
-fn text(ui: &mut Ui, words: String, color: Color32) {
-    ui.add(egui::Label::new(RichText::new(words).size(12.0).color(color)).truncate());
+fn text(ui: &mut Ui, words: impl Into<String>, color: Color32) {
+    ui.add(Label::new(RichText::new(words).size(12.0).color(color)).truncate());
+}
+
+fn file(ui: &mut Ui, session: &Session) {
+    let palette = theme::of(ui);
+    let mark = if session.is_modified() { " · not saved" } else { "" };
+    text(ui, format!("{}{mark}", session.file_name()), palette.faint_text);
+    let misses = misses(session);
+    if !misses.is_empty() {
+        ui.add_space(12.0);
+        text(ui, format!("⚠ {}", misses.join(" · ")), palette.warning);
+    }
+    ui.add_space(12.0);
+}
+
+/// What happened last; a drag tells of itself among the hints.
+fn news(ui: &mut Ui, session: &Session) {
+    let (palette, status) = (theme::of(ui), session.status());
+    let mut words = if session.viewport.telling().is_some() { String::new() } else { status.message.clone() };
+    if status.clamped {
+        words.push_str(if words.is_empty() { "Stopped short by a range" } else { " · stopped short" });
+    }
+    if words.is_empty() {
+        return;
+    }
+    match status.fault {
+        true => text(ui, format!("⚠ {words}"), palette.warning),
+        false => text(ui, words, palette.text),
+    }
+    ui.add_space(10.0);
+}
+
+/// Shows a hint if there is room for it whole; whether there was.
+fn show_hint(ui: &mut Ui, hint: &Hint) -> bool {
+    let palette = theme::of(ui);
+    let font = egui::FontId::proportional(12.0);
+    let measured = format!("{}    {}", hint.keys.join("    "), hint.does);
+    let width = ui.painter().layout_no_wrap(measured, font, palette.text).size().x + 12.0;
+    if width > ui.available_width() {
+        return false;
+    }
+    for key in &hint.keys {
+        keycap::show(ui, key);
+    }
+    let color = if hint.keys.is_empty() { palette.text } else { palette.faint_text };
+    text(ui, &hint.does, color);
+    ui.add_space(8.0);
+    true
 }
 
 /// Limbs whose contact is not met.
 fn misses(session: &Session) -> Vec<String> {
     let editor = session.editor();
     let missed = |limb: &Limb| {
-        let view = &editor.evaluation().limbs[limb.index()];
-        let held = editor.pose().limb(*limb).contact != Contact::Free;
-        (held && view.residual > MET_M)
-            .then(|| format!("{} {:.0} mm short", labels::limb(*limb), view.residual * 1000.0))
+        let words = reaching::miss_words(editor, *limb)?;
+        Some(format!("{} {words}", labels::limb(*limb)))
     };
     Limb::ALL.iter().filter_map(missed).collect()
 }

@@ -1,0 +1,204 @@
+//! What each action does.
+
+use edit::{Choose, Command, Hold, Request, Step, clear_place, to_rest};
+use egui::Context;
+use rig::{Bone, Contact, Limb, Part, View};
+
+use super::Session;
+use crate::action::{Action, Group};
+use crate::dialogs::{Dialog, Intent};
+use crate::settings::{Look, Settings};
+
+/// One press makes text and controls larger by this.
+const SCALE_STEP: f32 = 0.1;
+
+impl Session {
+    /// Does what an action says, as if its key had been pressed.
+    pub fn act(&mut self, ctx: &Context, action: Action) {
+        match action.group() {
+            Group::File => self.file(action),
+            Group::Edit => self.step(ctx, action),
+            Group::Selection => self.choose(action),
+            Group::Pose => self.pose(action),
+            Group::View => self.look(action),
+            Group::Window => self.window(ctx, action),
+            // The picture reads these itself.
+            Group::Drag => {}
+        }
+    }
+
+    fn file(&mut self, action: Action) {
+        match action {
+            Action::New => self.intend(Intent::New),
+            Action::Open => self.intend(Intent::Open(None)),
+            Action::Save => self.save_or_ask(None),
+            Action::SaveAs => self.dialogs.save(self.path.as_deref(), None),
+            Action::SavePicture => self.dialogs.save_picture(self.path.as_deref()),
+            Action::Settings => self.dialogs.ask(Dialog::Settings),
+            Action::Quit => self.quit_asking(),
+            _ => {}
+        }
+    }
+
+    fn step(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Undo => self.submit(Request::Undo),
+            Action::Redo => self.submit(Request::Redo),
+            Action::Copy => self.copy(ctx),
+            Action::Paste => self.paste(ctx, false),
+            Action::PasteMirrored => self.paste(ctx, true),
+            _ => {}
+        }
+    }
+
+    fn choose(&mut self, action: Action) {
+        let how = match action {
+            Action::Parent => Choose::Parent,
+            Action::Child => Choose::Child,
+            Action::NextJoint => Choose::Next,
+            Action::PreviousJoint => Choose::Previous,
+            Action::NextOfLevel => Choose::NextOfLevel,
+            Action::PreviousOfLevel => Choose::PreviousOfLevel,
+            _ => Choose::None,
+        };
+        self.panels.choose(&self.editor.figure().skeleton, how);
+    }
+
+    fn pose(&mut self, action: Action) {
+        let limb = self.panels.selected().and_then(Limb::of);
+        let parts = self.chosen_parts();
+        match action {
+            Action::Mirror => self.submit(Request::Do(Command::Mirror { parts })),
+            Action::Reset => self.submit(Request::Do(Command::Reset { parts })),
+            Action::Balance => self.submit(Request::Do(Command::Balance { amount: 1.0 })),
+            Action::Ranges => {
+                let on = !self.editor.document().ranges;
+                self.submit(Request::Do(Command::Ranges { on }));
+            }
+            Action::Lock => self.lock(),
+            Action::Symmetry => self.submit(Request::Symmetry(!self.document().symmetry)),
+            Action::ClearRotation => {
+                let chosen = self.panels.selection().bones();
+                self.submit_as_one(chosen.iter().flat_map(|bone| to_rest(&self.editor, *bone)).collect());
+            }
+            Action::ClearPlace => self.submit_as_one(self.to_place_at_rest()),
+            Action::CycleContact => match limb {
+                Some(limb) => {
+                    let next = self.next_contact(limb);
+                    self.submit(Request::Do(next));
+                }
+                None => self.ask_for_a_limb(action),
+            },
+            Action::Flip => match limb {
+                Some(limb) => self.submit(Request::Do(Command::Flip { limb })),
+                None => self.ask_for_a_limb(action),
+            },
+            _ => {}
+        }
+    }
+
+    fn ask_for_a_limb(&mut self, action: Action) {
+        self.say(format!("{}: choose an arm or a leg first", action.words()));
+    }
+
+    /// The parts that are chosen; none means all.
+    pub(super) fn chosen_parts(&self) -> Vec<Part> {
+        self.panels.selection().parts()
+    }
+
+    /// Several commands as one step.
+    pub(super) fn submit_as_one(&mut self, commands: Vec<Command>) {
+        if !commands.is_empty() {
+            self.submit(Request::PreviewAll(commands));
+            self.submit(Request::Commit);
+        }
+    }
+
+    /// Free, then a point, then planted, then free again; a contact keeps its space.
+    fn next_contact(&mut self, limb: Limb) -> Command {
+        let contact = self.editor.pose().limb(limb).contact;
+        let next = match contact {
+            Contact::Free => Hold::Point,
+            Contact::Point { .. } => Hold::Planted,
+            Contact::Planted { .. } => Hold::Free,
+        };
+        let space = match contact.target() {
+            Some((space, _)) => space,
+            None => self.viewport.nearest_space(&self.editor, limb),
+        };
+        Command::Keep { limb, contact: next, space }
+    }
+
+    /// The figure to the middle of the ground, or what the chosen joints have of a place of their own.
+    fn to_place_at_rest(&self) -> Vec<Command> {
+        let chosen = self.panels.selection().bones();
+        if !chosen.is_empty() {
+            return chosen.iter().flat_map(|bone| clear_place(&self.editor, *bone)).collect();
+        }
+        let place = self.editor.pose().place;
+        let placed = place != self.editor.figure().rest_pose().place;
+        placed.then_some(Command::Place { by: -place.position, turn: -place.turn }).into_iter().collect()
+    }
+
+    /// Locks the chosen joints, or frees them if all are locked.
+    fn lock(&mut self) {
+        let chosen = self.panels.selection().bones().to_vec();
+        let locked = |bone: &Bone| self.document().locks.contains(*bone);
+        let on = !chosen.iter().all(locked);
+        if chosen.is_empty() {
+            self.say("Lock joint: choose one first".to_owned());
+        }
+        self.submit_all(chosen.into_iter().map(|bone| Request::Lock(bone, on)).collect());
+    }
+
+    fn look(&mut self, action: Action) {
+        use Action::*;
+        let view = &mut self.viewport;
+        match action {
+            Front => view.view(View::Front),
+            Back => view.view(View::Back),
+            Left => view.view(View::Left),
+            Right => view.view(View::Right),
+            Top => view.view(View::Top),
+            Bottom => view.view(View::Bottom),
+            ThreeQuarter => view.view(View::ThreeQuarter),
+            Opposite => view.view_opposite(),
+            OrbitLeft => view.step(Step::Left),
+            OrbitRight => view.step(Step::Right),
+            OrbitUp => view.step(Step::Up),
+            OrbitDown => view.step(Step::Down),
+            ZoomIn => view.step(Step::Nearer),
+            ZoomOut => view.step(Step::Farther),
+            FrameAll => view.frame_all(&self.editor),
+            FrameSelection => view.frame(&self.editor, self.panels.selected()),
+            Projection => view.toggle_projection(),
+            LookThroughPictureCamera => view.toggle_picture_camera(),
+            SetPictureCamera => view.set_picture_camera(),
+            _ => {}
+        }
+    }
+
+    fn window(&mut self, ctx: &Context, action: Action) {
+        let settings = &mut self.settings;
+        match action {
+            Action::Marks => self.viewport.marks = !self.viewport.marks,
+            Action::SecondView => self.viewport.side_view = !self.viewport.side_view,
+            Action::Panel => settings.panel = !settings.panel,
+            Action::Library => settings.library = !settings.library,
+            Action::Theme => {
+                settings.look = if ctx.theme() == egui::Theme::Dark { Look::Light } else { Look::Dark };
+            }
+            Action::LargerUi => scale(settings, ctx.zoom_factor() + SCALE_STEP),
+            Action::SmallerUi => scale(settings, ctx.zoom_factor() - SCALE_STEP),
+            Action::ResetUi => settings.ui_scale = 1.0,
+            Action::Controls => ctx.memory_mut(|m| m.move_focus(egui::FocusDirection::Next)),
+            Action::Help => self.dialogs.ask(Dialog::Help),
+            _ => {}
+        }
+    }
+}
+
+/// By whole steps, so that going up and down again leads back.
+fn scale(settings: &mut Settings, to: f32) {
+    settings.set_ui_scale((to / SCALE_STEP).round() * SCALE_STEP);
+}

@@ -1,0 +1,64 @@
+//! Which action a pressed key asks for, now.
+
+use egui::{Event, FocusDirection, Key, Ui};
+
+use super::Session;
+use crate::action::{Action, Group};
+use crate::keymap::Pressed;
+
+impl Session {
+    /// Does what the keys of this frame ask for, and takes them from the input. Typing in a field asks for nothing.
+    pub(super) fn keys(&mut self, ui: &Ui) {
+        if ui.ctx().text_edit_focused() {
+            return;
+        }
+        for event in ui.input(|i| i.events.clone()) {
+            let Some(pressed) = Pressed::of(&event) else { continue };
+            let Some(action) = self.asked(ui, &pressed) else { continue };
+            take(ui, &event);
+            if !pressed.repeat || repeats(action) {
+                self.paste_text = pressed.pasted;
+                self.act(ui.ctx(), action);
+            }
+        }
+    }
+
+    /// The action of a key, if it is the time for it.
+    fn asked(&self, ui: &Ui, pressed: &Pressed) -> Option<Action> {
+        // Pasting mirrored had to ask the window system for the clipboard; here it comes.
+        if pressed.pasted.is_some() && self.paste_mirrored {
+            return Some(Action::PasteMirrored);
+        }
+        let action = self.keymap.action(pressed.chord, false)?;
+        let dragging = self.editor.in_gesture() || self.viewport.telling().is_some();
+        if dragging && !matches!(action.group(), Group::File | Group::Edit) {
+            return None;
+        }
+        // Tab goes through the controls while one of them has the keyboard, and through the joints otherwise.
+        let tab = pressed.chord.key == Key::Tab;
+        (!tab || self.is_on_picture(ui)).then_some(action)
+    }
+
+    /// Whether keys mean the figure: no control has the keyboard, or the pointer is on the picture.
+    fn is_on_picture(&self, ui: &Ui) -> bool {
+        let on_picture =
+            ui.input(|i| i.pointer.hover_pos()).is_some_and(|at| self.viewport.rect().contains(at));
+        on_picture || ui.memory(|m| m.focused().is_none())
+    }
+}
+
+/// Takes an event from the input, so that no control sees it.
+fn take(ui: &Ui, event: &Event) {
+    if matches!(event, Event::Key { key: Key::Tab, .. }) {
+        // The toolkit has read it before the first control is shown.
+        ui.memory_mut(|m| m.move_focus(FocusDirection::None));
+    }
+    ui.input_mut(|i| i.events.retain(|other| other != event));
+}
+
+/// Whether an action is done again while its key is held.
+fn repeats(action: Action) -> bool {
+    use Action::*;
+    matches!(action, Undo | Redo | NextJoint | PreviousJoint | NextOfLevel | PreviousOfLevel)
+        || matches!(action, OrbitLeft | OrbitRight | OrbitUp | OrbitDown | ZoomIn | ZoomOut)
+}
