@@ -29,7 +29,7 @@ enum Turn {
     /// The angle itself.
     Angle,
     /// All angles of a ball joint.
-    Swing(Swing),
+    Swing(Box<Swing>),
 }
 
 /// A ball joint as it was when a turn began.
@@ -109,7 +109,7 @@ impl Ring {
                 [live.min, live.max].map(|end| (end - start_deg).to_radians())
             }
         };
-        let turn = swing.map_or(Turn::Angle, Turn::Swing);
+        let turn = swing.map_or(Turn::Angle, |swing| Turn::Swing(Box::new(swing)));
         Some(Ring { bone, dof, axis_in_world, start_deg, range_rad, turn })
     }
 

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2};
 use rig::{Bone, Limb, Reacher};
 
-use crate::{Editor, Hit, Knob, Placed, PosedSkin, Stage, marked_joints};
+use crate::{Editor, Hit, Knob, Placed, PosedSkin, Sight, Stage, marked_joints};
 
 /// A mark that a click or a drag may mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
