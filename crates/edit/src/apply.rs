@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use rig::{
-    Contact, Figure, GestureError, Limb, Moved, Part, Pose, PosePatch, Reacher, Space, Target, evaluate,
+    Contact, Figure, GestureError, Limb, Mechanics, Moved, Pose, PosePatch, Reacher, Space, Target, evaluate,
     frames,
 };
 
@@ -24,21 +24,72 @@ pub(crate) fn apply(
     files: &mut dyn Files,
 ) -> Result<Applied, Rejected> {
     let goal = goal_in_world(figure, &document.pose, command);
-    let ranges = document.ranges;
+    let locked = locked(figure, document);
+    let rules = Rules::of(document);
     let Moved { pose, clamped } = match command {
         Command::Ranges { on } => {
-            let document = Document { pose: document.pose.clone(), ranges: *on };
+            let document = Document { ranges: *on, ..document.clone() };
             let message = format!("Ranges {}", if *on { "on" } else { "off" });
             return Ok(Applied { document, outcome: Outcome { message, ..Outcome::default() } });
         }
         Command::ApplyPose { path, parts, amount, mirrored } => {
-            apply_pose(figure, document, files, path, parts, *amount, *mirrored)?
+            let (patch, figure) =
+                (read_pose(figure, files, path, *mirrored)?, locked.as_ref().unwrap_or(figure));
+            rig::apply_patch(figure, &document.pose, &patch, parts, *amount, rules.ranges)?
         }
-        other => gesture(figure, &document.pose, other, ranges)?,
+        other => gesture(locked.as_ref().unwrap_or(figure), &document.pose, other, &rules)?,
     };
-    let document = Document { pose, ranges };
+    let document = Document { pose, ..document.clone() };
     let missed = missed(figure, &document, goal);
     let message = message(command, &missed);
+    Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
+}
+
+/// What gestures have to heed besides the figure.
+struct Rules {
+    ranges: bool,
+    mechanics: Mechanics,
+}
+
+impl Rules {
+    fn of(document: &Document) -> Rules {
+        // A locked joint stays by its range. Hands that go apart in symmetry don't turn the torso both ways.
+        let follow = if document.symmetry { 0.0 } else { document.mechanics.torso_follow };
+        Rules {
+            ranges: document.ranges || !document.locks.is_empty(),
+            mechanics: Mechanics { torso_follow: follow, ..document.mechanics },
+        }
+    }
+}
+
+/// The figure whose locked joints can't move; `None` if none is locked.
+fn locked(figure: &Figure, document: &Document) -> Option<Figure> {
+    let Document { pose, ranges, locks, .. } = document;
+    (!locks.is_empty()).then(|| figure.with_locks(pose, *locks, *ranges))
+}
+
+/// A document after pasting the text of a pose file.
+///
+/// # Errors
+/// Text that is no pose of the figure: where and why.
+pub(crate) fn paste(
+    figure: &Figure,
+    document: &Document,
+    text: &str,
+    mirrored: bool,
+) -> Result<Applied, Rejected> {
+    let patch = read(figure, "clipboard", text, mirrored)?;
+    if patch.joints.is_empty() && patch.limbs.is_empty() && patch.hips.is_none() {
+        return Err(Rejected("clipboard: this pose names no joint".to_owned()));
+    }
+    let locked = locked(figure, document);
+    let ranges = Rules::of(document).ranges;
+    let Moved { pose, clamped } =
+        rig::apply_patch(locked.as_ref().unwrap_or(figure), &document.pose, &patch, &[], 1.0, ranges)?;
+    let count = patch.joints.len();
+    let message = format!("Pasted {count} {}", if count == 1 { "joint" } else { "joints" });
+    let document = Document { pose, ..document.clone() };
+    let missed = missed(figure, &document, None);
     Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
 }
 
@@ -49,13 +100,14 @@ impl From<GestureError> for Rejected {
 }
 
 /// The commands that need nothing but figure and pose.
-fn gesture(figure: &Figure, pose: &Pose, command: &Command, ranges: bool) -> Result<Moved, GestureError> {
+fn gesture(figure: &Figure, pose: &Pose, command: &Command, rules: &Rules) -> Result<Moved, GestureError> {
+    let ranges = rules.ranges;
     match command {
         Command::Turn { joint, dof, degrees, by } => {
             let degrees = goal_angle(pose.angles(*joint).get(*dof), *degrees, *by);
-            rig::turn(figure, pose, *joint, *dof, degrees, ranges)
+            rig::turn_with(figure, pose, *joint, *dof, degrees, ranges, &rules.mechanics)
         }
-        Command::Reach { limb, to } => reach(figure, pose, *limb, *to, ranges),
+        Command::Reach { limb, to } => reach(figure, pose, *limb, *to, rules),
         Command::Elevate { limb, degrees, by } => {
             rig::elevate(figure, pose, *limb, *degrees, *by == By::To, ranges)
         }
@@ -109,9 +161,9 @@ fn held(hold: Hold, space: Space) -> Contact {
     }
 }
 
-fn reach(figure: &Figure, pose: &Pose, limb: Limb, to: Goal, ranges: bool) -> Result<Moved, GestureError> {
+fn reach(figure: &Figure, pose: &Pose, limb: Limb, to: Goal, rules: &Rules) -> Result<Moved, GestureError> {
     match target_of(figure, pose, limb, to)? {
-        Some(target) => rig::reach(figure, pose, limb, target, ranges),
+        Some(target) => rig::reach_with(figure, pose, limb, target, rules.ranges, &rules.mechanics),
         None => rig::limb_parts_present(figure, limb).map(|()| still(pose.clone())),
     }
 }
@@ -153,21 +205,21 @@ pub(crate) fn goal_in_world(figure: &Figure, pose: &Pose, command: &Command) -> 
     }
 }
 
-fn apply_pose(
+fn read_pose(
     figure: &Figure,
-    document: &Document,
     files: &mut dyn Files,
     path: &str,
-    parts: &[Part],
-    amount: f64,
     mirrored: bool,
-) -> Result<Moved, Rejected> {
+) -> Result<PosePatch, Rejected> {
     let text = files.read(path).map_err(Rejected)?;
-    let named = |fault: rig::TextFault| Rejected(format!("{path}:{fault}"));
-    let patch: PosePatch = rig::parse_pose(&text).map_err(named)?;
-    rig::check_patch(figure, &patch).map_err(|e| Rejected(format!("{path}: {e}")))?;
-    let patch = if mirrored { rig::mirrored_patch(&patch) } else { patch };
-    Ok(rig::apply_patch(figure, &document.pose, &patch, parts, amount, document.ranges)?)
+    read(figure, path, &text, mirrored)
+}
+
+/// The patch of a pose file's text; faults are named by where it comes from.
+fn read(figure: &Figure, from: &str, text: &str, mirrored: bool) -> Result<PosePatch, Rejected> {
+    let patch = rig::parse_pose(text).map_err(|fault| Rejected(format!("{from}:{fault}")))?;
+    rig::check_patch(figure, &patch).map_err(|e| Rejected(format!("{from}: {e}")))?;
+    Ok(if mirrored { rig::mirrored_patch(&patch) } else { patch })
 }
 
 /// Limbs that missed their contact or the gesture's goal by more than a hundredth of a millimetre.

@@ -2,18 +2,33 @@
 
 use std::sync::Arc;
 
-use rig::{Evaluation, Figure, Pose};
+use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
-use crate::apply::{Applied, apply};
+use crate::apply::{Applied, apply, paste};
+use crate::symmetry::{mirrored, twin_of};
+use crate::telling::words;
 use crate::{Command, Files, Rejected};
 
-/// What is edited: the pose, and whether ranges hold.
+/// What is edited: the pose, and what gestures have to heed. Only the pose is saved.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Document {
     /// The pose.
     pub pose: Pose,
     /// Whether joints stop at their ranges.
     pub ranges: bool,
+    /// What gestures bring along that their names don't say: nothing, unless asked for.
+    pub mechanics: Mechanics,
+    /// Joints that keep their angles whatever the gesture.
+    pub locks: Locks,
+    /// Whether what is done on one side is done on the other, too.
+    pub symmetry: bool,
+}
+
+impl Document {
+    /// A pose with ranges on; no mechanics, locks or symmetry.
+    pub fn of(pose: Pose) -> Document {
+        Document { pose, ranges: true, mechanics: Mechanics::default(), locks: Locks::NONE, symmetry: false }
+    }
 }
 
 /// What can be asked of the editor.
@@ -34,8 +49,21 @@ pub enum Request {
     Undo,
     /// Does the step again that was last taken back.
     Redo,
-    /// Replaces the pose, as one step of history.
+    /// Replaces the pose, as one step of history. Locked joints take the new angles and keep those.
     Open(Box<Pose>),
+    /// Applies what the text of a pose file names, or its mirror image, as one step of history.
+    Paste {
+        /// The text; that of any pose file will do.
+        text: String,
+        /// Whether left and right change sides.
+        mirrored: bool,
+    },
+    /// Sets what gestures bring along, as one step of history.
+    Mechanics(Mechanics),
+    /// Locks or unlocks a joint, as one step of history; its twin, too, while symmetry is on.
+    Lock(Bone, bool),
+    /// Switches live symmetry, as one step of history.
+    Symmetry(bool),
 }
 
 /// What a request did.
@@ -71,7 +99,7 @@ pub struct Editor {
 impl Editor {
     /// An editor with the figure at rest and every limb free.
     pub fn new(figure: Arc<Figure>) -> Editor {
-        let document = Document { pose: figure.rest_pose(), ranges: true };
+        let document = Document::of(figure.rest_pose());
         let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
         Editor {
             figure,
@@ -86,7 +114,7 @@ impl Editor {
 
     /// An editor with the figure in a pose, and nothing to undo.
     pub fn in_pose(figure: Arc<Figure>, pose: Pose) -> Editor {
-        let document = Document { pose, ranges: true };
+        let document = Document::of(pose);
         let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
         Editor { document, evaluation, ..Editor::new(figure) }
     }
@@ -104,6 +132,12 @@ impl Editor {
     /// The pose as it shows now.
     pub fn pose(&self) -> &Pose {
         &self.document.pose
+    }
+
+    /// The document from which the gesture under way starts, or as it shows now: what a control that reads a value off
+    /// the pose writes it onto.
+    pub fn first(&self) -> &Document {
+        self.gesture.as_ref().map_or(&self.document, |step| &step.document)
     }
 
     /// What the pose comes to.
@@ -150,33 +184,62 @@ impl Editor {
             Request::Undo => Ok(self.undo()),
             Request::Redo => Ok(self.redo()),
             Request::Open(pose) => Ok(self.open(*pose)),
+            Request::Paste { text, mirrored } => {
+                let Applied { document, outcome } = paste(&self.figure, &self.document, &text, mirrored)?;
+                self.step(document, "Paste");
+                Ok(outcome)
+            }
+            Request::Mechanics(mechanics) => Ok(self.set_mechanics(mechanics)),
+            Request::Lock(bone, on) => self.lock(bone, on),
+            Request::Symmetry(symmetry) => {
+                self.step(Document { symmetry, ..self.document.clone() }, "Symmetry");
+                Ok(told(format!("Symmetry {}", if symmetry { "on" } else { "off" })))
+            }
         }
     }
 
     fn run(&mut self, command: &Command, files: &mut dyn Files) -> Result<Outcome, Rejected> {
-        let Applied { document, outcome } = apply(&self.figure, &self.document, command, files)?;
-        self.commit();
-        let name = command.name().to_owned();
-        self.push(Step { document: self.document.clone(), name });
-        self.show(document);
+        let Applied { document, outcome } =
+            both_sides(&self.figure, &self.document, std::slice::from_ref(command), files)?;
+        self.step(document, command.name());
         Ok(outcome)
     }
 
     fn preview(&mut self, commands: &[Command], files: &mut dyn Files) -> Result<Outcome, Rejected> {
         let Some(last) = commands.last() else { return Ok(Outcome::default()) };
-        let first = self.gesture.as_ref().map_or(&self.document, |step| &step.document);
-        let mut document = first.clone();
-        let mut outcome = Outcome::default();
-        for command in commands {
-            let applied = apply(&self.figure, &document, command, files)?;
-            let clamped = outcome.clamped || applied.outcome.clamped;
-            (document, outcome) = (applied.document, Outcome { clamped, ..applied.outcome });
-        }
+        let Applied { document, outcome } = both_sides(&self.figure, self.first(), commands, files)?;
         if self.gesture.is_none() {
             self.gesture = Some(Step { document: self.document.clone(), name: last.name().to_owned() });
         }
         self.show(document);
         Ok(outcome)
+    }
+
+    fn set_mechanics(&mut self, mechanics: Mechanics) -> Outcome {
+        self.step(Document { mechanics, ..self.document.clone() }, "Mechanics");
+        let rhythm = if mechanics.collar_rhythm { "on" } else { "off" };
+        let follow = mechanics.torso_follow * 100.0;
+        told(format!("Collar rhythm {rhythm}, torso follows by {follow:.0} %"))
+    }
+
+    fn lock(&mut self, bone: Bone, on: bool) -> Result<Outcome, Rejected> {
+        if self.figure.skeleton.joint(bone).is_none() {
+            return Err(rig::GestureError::NoBone(bone).into());
+        }
+        let twin = twin_of(&self.figure, bone).filter(|_| self.document.symmetry);
+        let locks =
+            std::iter::once(bone).chain(twin).fold(self.document.locks, |all, bone| all.with(bone, on));
+        self.step(Document { locks, ..self.document.clone() }, if on { "Lock" } else { "Unlock" });
+        let (word, name) = (if on { "Locked" } else { "Unlocked" }, words(bone.name()));
+        let also = if twin.is_some() { " and its twin" } else { "" };
+        Ok(told(format!("{word} {name}{also}")))
+    }
+
+    /// Makes a document the next step; a gesture under way is committed first.
+    fn step(&mut self, document: Document, name: &str) {
+        self.commit();
+        self.push(Step { document: self.document.clone(), name: name.to_owned() });
+        self.show(document);
     }
 
     fn commit(&mut self) -> Outcome {
@@ -221,9 +284,7 @@ impl Editor {
     }
 
     fn open(&mut self, pose: Pose) -> Outcome {
-        self.commit();
-        self.push(Step { document: self.document.clone(), name: "Open".to_owned() });
-        self.show(Document { pose, ..self.document });
+        self.step(Document { pose, ..self.document.clone() }, "Open");
         Outcome { message: "Opened".to_owned(), ..Outcome::default() }
     }
 
@@ -237,4 +298,38 @@ impl Editor {
         self.document = document;
         self.revision += 1;
     }
+}
+
+fn told(message: String) -> Outcome {
+    Outcome { message, ..Outcome::default() }
+}
+
+/// Applies commands one after another, each followed by its twin while symmetry is on. A twin that can't be done is
+/// left out, and the message says so.
+fn both_sides(
+    figure: &Figure,
+    first: &Document,
+    commands: &[Command],
+    files: &mut dyn Files,
+) -> Result<Applied, Rejected> {
+    let mut document = first.clone();
+    let mut outcome = Outcome::default();
+    for command in commands {
+        let twin = first.symmetry.then(|| mirrored(figure, &document.pose, command)).flatten();
+        let applied = apply(figure, &document, command, files)?;
+        let clamped = outcome.clamped || applied.outcome.clamped;
+        (document, outcome) = (applied.document, Outcome { clamped, ..applied.outcome });
+        match twin.map(|twin| apply(figure, &document, &twin, files)) {
+            Some(Ok(other)) => {
+                document = other.document;
+                outcome.clamped |= other.outcome.clamped;
+                let known = outcome.missed.clone();
+                let new = |(limb, _): &(rig::Limb, f64)| known.iter().all(|(other, _)| other != limb);
+                outcome.missed.extend(other.outcome.missed.into_iter().filter(new));
+            }
+            Some(Err(why)) => outcome.message += &format!("; not mirrored: {why}"),
+            None => {}
+        }
+    }
+    Ok(Applied { document, outcome })
 }

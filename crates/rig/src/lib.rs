@@ -52,7 +52,8 @@ pub use mechanics::{MECHANICS_TOLERANCE_M, Mechanics, reach_with, turn_with};
 pub use mesh::Mesh;
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
 pub use pose_file::{
-    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_parts, write_pose,
+    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_bones, write_parts,
+    write_pose,
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use skeleton::{Skeleton, SkeletonError};

@@ -286,9 +286,19 @@ pub fn write_pose(figure: &Figure, pose: &Pose) -> String {
 /// Writes some parts of a pose, all if none is named: arms and legs with what they hold on to, the torso with the
 /// hips. Where the figure stands is written with the whole only.
 pub fn write_parts(figure: &Figure, pose: &Pose, parts: &[Part]) -> String {
-    let wanted = |part: Part| parts.is_empty() || parts.contains(&part);
+    let wanted = |bone: Bone| parts.is_empty() || parts.contains(&bone.part());
+    write(figure, pose, parts.is_empty(), &wanted)
+}
+
+/// Writes the joints of some bones: a limb's articulator and contact go along with the whole limb, root, hinge and end;
+/// the hips' place with the hips. Where the figure stands is left out.
+pub fn write_bones(figure: &Figure, pose: &Pose, bones: &[Bone]) -> String {
+    write(figure, pose, false, &|bone| bones.contains(&bone))
+}
+
+fn write(figure: &Figure, pose: &Pose, placed: bool, wanted: &dyn Fn(Bone) -> bool) -> String {
     let joints = figure.skeleton.joints().filter(|joint| joint.dofs().next().is_some());
-    let joints = joints.filter(|joint| wanted(joint.bone.part())).map(|joint| {
+    let joints = joints.filter(|joint| wanted(joint.bone)).map(|joint| {
         let angles = pose.angles(joint.bone);
         let value = |dof| joint.has(dof).then(|| Number(angles.get(dof)));
         let text = AnglesText {
@@ -298,13 +308,17 @@ pub fn write_parts(figure: &Figure, pose: &Pose, parts: &[Part]) -> String {
         };
         (joint.bone, text)
     });
-    let limbs = Limb::ALL.into_iter().filter(|limb| wanted(limb.parts().root.part()));
+    let whole = |limb: &Limb| {
+        let parts = limb.parts();
+        [parts.root, parts.hinge, parts.end].into_iter().all(wanted)
+    };
+    let limbs = Limb::ALL.into_iter().filter(whole);
     let place = PlaceText { position: pose.place.position.into(), turn: Number(pose.place.turn) };
     let file = PoseText {
         version: POSE_VERSION,
         figure: Some(figure.name.clone()),
-        place: parts.is_empty().then_some(place),
-        hips: wanted(Part::Torso).then(|| pose.hips.into()),
+        place: placed.then_some(place),
+        hips: wanted(Bone::Hips).then(|| pose.hips.into()),
         joints: joints.collect(),
         limbs: LimbsText(limbs.map(|l| (LimbName(l), LimbText::from(pose.limb(l)))).collect()),
     };
