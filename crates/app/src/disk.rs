@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use edit::Files;
 
 use crate::failure::Failure;
+use crate::library::shipped;
 
 /// The largest text that is read, bytes: a pose takes some ten thousand.
 pub const TEXT_LIMIT: u64 = 16 << 20;
@@ -49,19 +50,50 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
 /// # Errors
 /// A folder that is missing or can't be written; the message names the file.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let fault = |e: std::io::Error| Failure::Input(format!("{}: {}", path.display(), plain(&e)));
     // A link is followed, so that the file it names is replaced and not the link.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    beside(&path, bytes)?.persist(&path).map_err(|e| named(&path, &e.error))?;
+    Ok(())
+}
+
+/// Writes a new file whole; a file that is there already stays as it is.
+///
+/// # Errors
+/// A file of that name; a folder that is missing or can't be written. The message names the file.
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    beside(path, bytes)?.persist_noclobber(path).map_err(|e| named(path, &e.error))?;
+    Ok(())
+}
+
+/// Gives a file another name in its file system; a file that is there already stays as it is.
+///
+/// # Errors
+/// A file of that name, no such file, or one that can't be moved. The message names the file at fault.
+pub fn move_new(from: &Path, to: &Path) -> Result<(), Failure> {
+    // Where case doesn't matter, a name that differs in case alone is that of the file itself.
+    let same = fs::canonicalize(to).is_ok_and(|there| fs::canonicalize(from).is_ok_and(|here| here == there));
+    if to.exists() && !same {
+        return Err(Failure::Input(format!("{}: there is such a file", to.display())));
+    }
+    fs::rename(from, to).map_err(|e| named(from, &e))
+}
+
+fn named(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::Input(format!("{}: {}", path.display(), plain(error)))
+}
+
+/// A whole file beside its future place.
+fn beside(path: &Path, bytes: &[u8]) -> Result<tempfile::NamedTempFile, Failure> {
+    let fault = |e: std::io::Error| named(path, &e);
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut temporary = tempfile::Builder::new().prefix(".posewright-").tempfile_in(folder).map_err(fault)?;
     temporary.write_all(bytes).map_err(fault)?;
     temporary.as_file().sync_all().map_err(fault)?;
-    let permissions = fs::metadata(&path).map(|m| m.permissions()).ok().or_else(ordinary);
+    let permissions = fs::metadata(path).map(|m| m.permissions()).ok().or_else(ordinary);
     if let Some(permissions) = permissions {
         temporary.as_file().set_permissions(permissions).map_err(fault)?;
     }
-    temporary.persist(&path).map_err(|e| fault(e.error))?;
-    Ok(())
+    Ok(temporary)
 }
 
 /// What a new file may be: temporary ones are readable by their owner only.
@@ -80,11 +112,13 @@ fn plain(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "no such file or folder".to_owned(),
         std::io::ErrorKind::PermissionDenied => "not allowed".to_owned(),
+        std::io::ErrorKind::AlreadyExists => "there is such a file".to_owned(),
         _ => error.to_string(),
     }
 }
 
-/// The disk as commands see it: paths are taken from a folder, that of the script or the present one.
+/// The disk as commands see it: paths are taken from a folder, that of the script or the present one, and
+/// `library:NAME` is a pose that comes with the program.
 #[derive(Clone, Debug, Default)]
 pub struct Disk {
     /// Where relative paths start.
@@ -100,7 +134,10 @@ impl Disk {
 
 impl Files for Disk {
     fn read(&mut self, path: &str) -> Result<String, String> {
-        read_text(&self.folder.join(path)).map_err(|e| e.to_string())
+        match shipped::by_path(path) {
+            Some(text) => text.map(str::to_owned),
+            None => read_text(&self.folder.join(path)).map_err(|e| e.to_string()),
+        }
     }
 }
 
@@ -130,6 +167,28 @@ mod tests {
         fs::write(&path, vec![b'('; 100]).unwrap();
         let message = read_bytes(&path, 99).unwrap_err().to_string();
         assert!(message.contains("big.pose.ron:1:1: larger"), "{message}");
+    }
+
+    #[test]
+    fn a_new_file_takes_no_other_s_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let (there, new) = (folder.path().join("there"), folder.path().join("new"));
+        fs::write(&there, b"former").unwrap();
+        assert!(write_new(&there, b"new").unwrap_err().to_string().contains("there: there is such a file"));
+        write_new(&new, b"new").unwrap();
+        assert!(move_new(&new, &there).is_err());
+        assert_eq!(
+            (fs::read(&there).unwrap(), fs::read(&new).unwrap()),
+            (b"former".to_vec(), b"new".to_vec())
+        );
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "nothing half is left");
+    }
+
+    #[test]
+    fn commands_read_shipped_poses() {
+        let mut disk = Disk::default();
+        assert!(disk.read("library:standing.pose.ron").unwrap().contains("version: 1"));
+        assert!(disk.read("library:nobody.pose.ron").is_err());
     }
 
     #[cfg(unix)]

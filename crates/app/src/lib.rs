@@ -28,4 +28,4 @@ pub mod window;
 pub use panels::{Overview, Panels, Section};
 pub use session::{Session, Status};
 pub use theme::apply as apply_theme;
-pub use viewport::{Viewport, install as install_picture};
+pub use viewport::{Guide, Guides, Viewport, install as install_picture};
