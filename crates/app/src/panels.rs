@@ -21,6 +21,7 @@ use egui::{ScrollArea, Ui};
 use rig::{Bone, Contact, Limb, Part, Side, Skeleton};
 
 use crate::rail::Change;
+use crate::viewport::{Guide, Guides};
 pub use overview::Overview;
 pub use section::Section;
 use tree::Tree;
@@ -41,6 +42,8 @@ pub struct Panels {
     shape_amount: [f64; 2],
     /// How far ahead the point lies that the eyes look at, metres.
     gaze_m: f64,
+    /// What of each limb's reach the picture shows.
+    guides: Guides,
 }
 
 impl Default for Panels {
@@ -58,6 +61,7 @@ impl Default for Panels {
             tree: Tree::default(),
             shape_amount: [1.0; 2],
             gaze_m: 1.0,
+            guides: Guides::default(),
         }
     }
 }
@@ -76,6 +80,16 @@ impl Panels {
     /// The bone on whose name, row or shape the pointer is.
     pub fn hinted(&self) -> Option<Bone> {
         self.hinted
+    }
+
+    /// What of each limb's reach the picture shows.
+    pub fn guides(&self) -> Guides {
+        self.guides
+    }
+
+    /// Shows or hides a guide to a limb's reach.
+    pub fn set_guide(&mut self, limb: Limb, guide: Guide, on: bool) {
+        self.guides.set(limb, guide, on);
     }
 
     /// Marks the bone whose skin the pointer is on.
