@@ -17,9 +17,9 @@ mod pointer;
 mod side_view;
 
 use edit::{Choose, Editor, Hands, Navigator, Preset, Request, Selection, Sight, Stage};
-use egui::{Key, Pos2, Rect, Sense, Ui};
+use egui::{Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2};
-use rig::{Bone, Camera, View};
+use rig::{Bone, Camera, Limb, Space, View};
 
 use backdrop::Backdrop;
 use drawing::{Drawing, write_words};
@@ -56,8 +56,10 @@ pub struct Viewport {
     hinted: Option<Bone>,
     /// What the pointer could do where it is, for the status line.
     offering: Option<String>,
-    /// The camera with which pictures are taken.
-    picture_camera: Option<Camera>,
+    /// The camera with which pictures are taken, apart from the working one.
+    pub picture_camera: Option<Camera>,
+    /// Whether the pointer is in the second picture, or began to drag there.
+    in_side: bool,
     /// The working camera while one looks through the picture camera.
     working: Option<Camera>,
     /// Where the picture was last, points.
@@ -91,6 +93,7 @@ impl Default for Viewport {
             hinted: None,
             offering: None,
             picture_camera: None,
+            in_side: false,
             working: None,
             rect: Rect::from_min_size(Pos2::ZERO, egui::vec2(1.0, 1.0)),
             wheeled_at: f64::NEG_INFINITY,
@@ -110,11 +113,11 @@ impl Viewport {
         self.refit_picture_camera();
         let response = ui.interact(rect, id, Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Figure"));
-        let asked = self.point(ui, &response, editor, selection);
+        let here = self.pane(ui).unwrap_or(response);
+        let asked = self.point(ui, &here, editor, selection);
         let moving = lean && self.is_moving(ui, editor);
-        self.side_gestures(ui);
         self.paint(ui, editor, selection, moving);
-        let stage = self.stage(editor, selection.active());
+        let stage = Stage { sight: self.sight(), ..self.stage(editor, selection.active()) };
         handles::paint(ui, &self.hands, &stage, rect);
         if self.looks_through_picture_camera() {
             self.paint_frame(ui);
@@ -146,12 +149,18 @@ impl Viewport {
 
     /// Where a press takes each handle of the picture, by its name, in points of the window.
     pub fn handle_places(&self, editor: &Editor, selected: Option<Bone>) -> Vec<(String, Pos2)> {
-        let stage = self.stage(editor, selected);
+        let stage = Stage { sight: self.sight(), ..self.stage(editor, selected) };
         let place = |placed: &edit::Placed| {
             let at = self.hands.place_of(&stage, placed)?;
             Some((placed.knob.name(), self.outside(at)))
         };
         self.hands.knobs(&stage).iter().filter_map(place).collect()
+    }
+
+    /// What a limb would best hold on to where it is: the bone whose skin it touches, or else the world.
+    pub fn nearest_space(&mut self, editor: &Editor, limb: Limb) -> Space {
+        let picker = self.hands.skin(editor).picker();
+        edit::nearest_space(editor.figure(), editor.pose(), editor.evaluation(), picker, limb)
     }
 
     /// Fits the camera when the picture is next shown and its shape is known.
@@ -182,12 +191,13 @@ impl Viewport {
     }
 
     fn stage<'a>(&self, editor: &'a Editor, selected: Option<Bone>) -> Stage<'a> {
-        Stage { editor, sight: self.sight(), selected, marks: self.marks }
+        Stage { editor, sight: self.sight_here(), selected, marks: self.marks }
     }
 
-    /// From the window's points to the picture's.
+    /// From the window's points to those of the picture in which the pointer is.
     fn inside(&self, at: Pos2) -> Vec2 {
-        Vec2::new(at.x - self.rect.left(), at.y - self.rect.top())
+        let corner = self.rect_here().min;
+        Vec2::new(at.x - corner.x, at.y - corner.y)
     }
 
     /// From the picture's points to the window's.
@@ -219,29 +229,5 @@ impl Viewport {
             .before(self.backdrop.shown());
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
         write_words(ui.painter(), self.rect, &sight, &words);
-    }
-}
-
-/// Keys that change the view: number row and pad, Home, F.
-pub fn keys(ui: &Ui, viewport: &mut Viewport, editor: &Editor, selected: Option<Bone>) {
-    if ui.ctx().text_edit_focused() || viewport.telling().is_some() {
-        return;
-    }
-    let views = [
-        (Key::Num1, View::Front, View::Back),
-        (Key::Num3, View::Left, View::Right),
-        (Key::Num7, View::Top, View::Top),
-    ];
-    for (key, plain, opposite) in views {
-        let (pressed, command) = ui.input(|i| (i.key_pressed(key), i.modifiers.command));
-        if pressed {
-            viewport.view(if command { opposite } else { plain });
-        }
-    }
-    if ui.input(|i| i.key_pressed(Key::Home)) {
-        viewport.frame_all(editor);
-    }
-    if ui.input(|i| i.key_pressed(Key::F)) {
-        viewport.frame(editor, selected);
     }
 }

@@ -20,7 +20,7 @@ impl Viewport {
         selection: &Selection,
     ) -> Asked {
         // A dragged point is where the pointer is only as long as the camera stays.
-        if let Some(sight) = self.hands.sight() {
+        if let Some(sight) = self.hands.sight().filter(|_| !self.in_side) {
             self.camera = sight.camera;
         }
         let told = (self.telling(), self.offering.clone(), self.hands.knob());

@@ -2,9 +2,9 @@
 
 use edit::{Editor, Selection, Sight, Stage};
 use egui::{
-    Align2, Color32, FontId, Id, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, Color32, FontId, Id, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use rig::{Camera, Projection};
 
 use super::drawing::Drawing;
@@ -43,6 +43,13 @@ impl Viewport {
         let corner = self.rect.right_bottom() - egui::Vec2::splat(INSET);
         let rect = Rect::from_min_max(corner - vec2(width, height), corner);
         Some(Side { rect, camera: side_camera(&self.camera) })
+    }
+
+    /// Where a point of the world is in the second picture, points of the window; `None` if that isn't shown.
+    pub fn second_window_of(&self, point_in_world: DVec3) -> Option<Pos2> {
+        let side = self.side()?;
+        let at = side.sight().pixel_of(point_in_world)?;
+        Some(side.rect.min + vec2(at.x, at.y))
     }
 
     /// What the pointer does in the small picture, if it is there or began to drag there.

@@ -25,7 +25,7 @@ fn bent() -> Session {
 }
 
 /// A window of 1280 by 800 with a device; the figure is drawn if `figure`.
-fn drawn(session: Session, figure: bool) -> Hand {
+pub fn drawn(session: Session, figure: bool) -> Hand {
     use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
     let state = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
     if figure {

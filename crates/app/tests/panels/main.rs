@@ -4,7 +4,11 @@
 mod files;
 mod grabbing;
 mod hand;
+mod library;
 mod looks;
 mod parts;
 mod picture;
+mod reaching;
+mod selection;
 mod sliders;
+mod views;
