@@ -16,7 +16,7 @@ pub mod shipped;
 mod tile;
 mod worker;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use edit::{Command, Editor, Request};
@@ -61,8 +61,7 @@ impl Folders {
 
 /// The state of the panel. Nothing of the pose is in it.
 pub struct Library {
-    /// Whether the panel is shown.
-    pub open: bool,
+    shown: bool,
     own_folder: Option<PathBuf>,
     entries: Arc<Vec<Entry>>,
     read: bool,
@@ -92,7 +91,7 @@ impl Library {
 
     fn drawn_by(folders: Folders, opener: Opener) -> Library {
         Library {
-            open: false,
+            shown: false,
             own_folder: folders.own,
             entries: Arc::default(),
             read: false,
@@ -123,13 +122,14 @@ impl Library {
     /// Whether every portrait in sight has been seen to, so that a picture of the window is whole.
     pub fn is_settled(&self) -> bool {
         let shown = self.search.found(&self.entries);
-        let drawable = self.open && self.portraits.no_adapter.is_none();
+        let drawable = self.shown && self.portraits.no_adapter.is_none();
         !drawable || self.portraits.count(shown.iter().copied()) >= shown.len().min(portraits::MOST)
     }
 
-    /// Shows the library at the window's right if it is open; `selected` are the parts of what is selected.
-    pub fn panel(&mut self, ui: &mut Ui, editor: &Editor, selected: &[Part]) -> Asked {
-        if !self.open {
+    /// Shows the library at the window's right if it is `open`; `selected` are the parts of what is selected.
+    pub fn panel(&mut self, ui: &mut Ui, open: bool, editor: &Editor, selected: &[Part]) -> Asked {
+        self.shown = open;
+        if !open {
             // Nothing is drawn or watched until it is shown again.
             self.portraits.rest();
             return Asked::default();
@@ -137,6 +137,14 @@ impl Library {
         let frame = egui::Frame::new().fill(ui.visuals().panel_fill).inner_margin(egui::Margin::same(8));
         let panel = egui::Panel::right("library").default_size(268.0).size_range(220.0..=640.0);
         panel.frame(frame).show(ui, |ui| self.show(ui, editor, selected)).inner
+    }
+
+    /// Takes the user's own poses from another folder, if one is chosen.
+    pub fn follow(&mut self, chosen: Option<&Path>) {
+        if chosen.is_some() && chosen != self.own_folder.as_deref() {
+            self.own_folder = chosen.map(Path::to_owned);
+            self.read = false;
+        }
     }
 
     fn show(&mut self, ui: &mut Ui, editor: &Editor, selected: &[Part]) -> Asked {
@@ -173,7 +181,8 @@ impl Library {
                     .speed(1.0)
                     .max_decimals(1)
                     .suffix(" %");
-                let tip = "How much of a pose a click applies: 0 is the pose as it is now, beyond 100 goes farther";
+                let tip =
+                    "How much of a pose a click applies: 0 is the pose as it is now, beyond 100 goes farther";
                 ui.add(amount).on_hover_text(tip).accessible_name("Amount");
                 ui.label(RichText::new("Amount").weak());
             });
@@ -260,8 +269,9 @@ impl Library {
         let entries = self.entries.clone();
         let taken = entries.iter().filter(|e| e.path != entry.path).map(|e| e.title.as_str());
         let Some(file) = &entry.file else { return };
-        let renamed = folder::checked(name, taken)
-            .and_then(|name| folder::rename(file, &name).map(|_| format!("{} is now called {name}", entry.title)));
+        let renamed = folder::checked(name, taken).and_then(|name| {
+            folder::rename(file, &name).map(|_| format!("{} is now called {name}", entry.title))
+        });
         self.making.fault = renamed.as_ref().err().cloned();
         if renamed.is_ok() {
             self.making.end();

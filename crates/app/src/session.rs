@@ -19,6 +19,7 @@ use crate::dialogs::Dialogs;
 use crate::disk::Disk;
 use crate::failure::Failure;
 use crate::keymap::Keymap;
+use crate::library::Library;
 use crate::panels::Panels;
 use crate::settings::{ConfigFolder, Settings};
 use crate::viewport::Viewport;
@@ -48,6 +49,8 @@ pub struct Session {
     pub panels: Panels,
     /// How the figure is looked at.
     pub viewport: Viewport,
+    /// The poses to choose from.
+    pub library: Library,
     dialogs: Dialogs,
     /// Whether the processor draws: then movement is drawn with fewer samples.
     pub software: bool,
@@ -75,6 +78,7 @@ impl Session {
             status: Status::default(),
             panels: Panels::default(),
             viewport: Viewport::default(),
+            library: Library::default(),
             dialogs: Dialogs::default(),
             software: false,
             moving: false,
@@ -222,11 +226,13 @@ impl Session {
         if self.settings.panel {
             self.panel(ui);
         }
+        self.library(ui);
         self.picture(ui);
         self.end_gesture(ui);
         self.dialogs(ui);
         self.settings.marks = self.viewport.marks;
         self.settings.second_view = self.viewport.side_view;
+        self.settings.navigation = self.viewport.preset;
         self.keep();
         self.keep_settings(ui);
     }
@@ -238,6 +244,18 @@ impl Session {
         self.panels.light(self.viewport.hovered());
         let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
         self.submit_all(requests);
+    }
+
+    fn library(&mut self, ui: &mut Ui) {
+        self.library.follow(self.settings.library_folder.as_deref());
+        let selected = self.panels.selection().parts();
+        let asked = self.library.panel(ui, self.settings.library, &self.editor, &selected);
+        self.submit_all(asked.requests);
+        match asked.told {
+            Some(Ok(done)) => self.say(done),
+            Some(Err(why)) => self.tell(Err(Failure::Input(why))),
+            None => {}
+        }
     }
 
     fn picture(&mut self, ui: &mut Ui) {

@@ -12,6 +12,7 @@ use edit::Editor;
 
 use crate::failure::Failure;
 use crate::keepsafe::Keepsafe;
+use crate::library::{Folders, Library};
 use crate::load::{self, Kind};
 use crate::session::Session;
 
@@ -29,6 +30,7 @@ pub fn run(files: &[PathBuf], ui_map: Option<&Path>) -> Result<(), Failure> {
     if let Some(folder) = Keepsafe::folder() {
         session.keep_in(&folder);
     }
+    session.library = Library::new(Folders::of_user());
     frames::run(session, ui_map.map(Path::to_owned))
 }
 

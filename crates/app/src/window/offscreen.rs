@@ -24,6 +24,8 @@ pub fn ui_picture(editor: &Editor, file: &Path, shot: &Shot) -> Result<Image, Fa
 
 /// Layout settles within as many frames.
 const FRAMES: usize = 3;
+/// Portraits of the library that are still being drawn are waited for, that many frames of a twentieth of a second.
+const WAITS: usize = 400;
 
 /// Draws a session as a window of that many pixels would show it.
 ///
@@ -52,7 +54,13 @@ pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, F
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let ctx = Context::default();
     theme::apply(&ctx);
-    for frame in 0..FRAMES {
+    for frame in 0..FRAMES + WAITS {
+        if frame >= FRAMES {
+            if session.library.is_settled() {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(50));
+        }
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(size[0] as f32, size[1] as f32))),
             time: Some(frame as f64),
