@@ -39,7 +39,8 @@ pub enum Request {
     /// Shows what a command would do: the first preview begins a gesture, each later one starts again
     /// from the gesture's first state.
     Preview(Command),
-    /// As [`Request::Preview`] for commands that make one gesture together, one after another.
+    /// As [`Request::Preview`] for commands that make one gesture together, one after another; none of them shows the
+    /// gesture's first state.
     PreviewAll(Vec<Command>),
     /// Ends the gesture under way as one step of history.
     Commit,
@@ -206,7 +207,13 @@ impl Editor {
     }
 
     fn preview(&mut self, commands: &[Command], files: &mut dyn Files) -> Result<Outcome, Rejected> {
-        let Some(last) = commands.last() else { return Ok(Outcome::default()) };
+        let Some(last) = commands.last() else {
+            // Nothing is done to the gesture's first state.
+            if let Some(step) = &self.gesture {
+                self.show(step.document.clone());
+            }
+            return Ok(Outcome::default());
+        };
         let Applied { document, outcome } = both_sides(&self.figure, self.first(), commands, files)?;
         if self.gesture.is_none() {
             self.gesture = Some(Step { document: self.document.clone(), name: last.name().to_owned() });

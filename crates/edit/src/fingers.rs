@@ -63,7 +63,7 @@ pub fn set_curl(
     to: f64,
     locks: Locks,
 ) -> Vec<Command> {
-    moved(curling(figure, pose, side, finger), to, locks)
+    moved(&curling(figure, pose, side, finger), to, locks)
 }
 
 /// How far the fingers are spread: 0 side by side, 1 as far apart as they go; negative where they press together.
@@ -73,7 +73,7 @@ pub fn spread(figure: &Figure, pose: &Pose, side: Side) -> Option<f64> {
 
 /// The turns that spread the fingers to a share from 0 to 1; locked joints stay behind.
 pub fn set_spread(figure: &Figure, pose: &Pose, side: Side, to: f64, locks: Locks) -> Vec<Command> {
-    moved(spreading(figure, pose, side), to, locks)
+    moved(&spreading(figure, pose, side), to, locks)
 }
 
 /// An angle on its way from one end to the other, degrees.
@@ -108,14 +108,14 @@ fn share(ways: &[Way]) -> Option<f64> {
 }
 
 /// The turns after which the share is as wanted, or as near as the ends let it.
-fn moved(ways: Vec<Way>, to: f64, locks: Locks) -> Vec<Command> {
+fn moved(ways: &[Way], to: f64, locks: Locks) -> Vec<Command> {
     let after = |part: f64| -> Vec<Way> {
         let go =
             |way: &Way| Way { now: if locks.contains(way.bone) { way.now } else { way.after(part) }, ..*way };
         ways.iter().map(go).collect()
     };
     let share_after = |part: f64| share(&after(part)).unwrap_or(0.0);
-    let (Some(now), true) = (share(&ways), to.is_finite()) else { return Vec::new() };
+    let (Some(now), true) = (share(ways), to.is_finite()) else { return Vec::new() };
     // Farther than any joint can be from its end.
     let (mut near, mut far) = (0.0, if to > now { FARTHEST } else { -FARTHEST });
     for _ in 0..80 {
@@ -127,7 +127,7 @@ fn moved(ways: Vec<Way>, to: f64, locks: Locks) -> Vec<Command> {
         let Way { bone, dof, now, .. } = way;
         (now != was.now).then_some(Command::Turn { joint: bone, dof, degrees: now, by: By::To })
     };
-    after(far).into_iter().zip(&ways).filter_map(turn).collect()
+    after(far).into_iter().zip(ways).filter_map(turn).collect()
 }
 
 /// Ways; a joint at a whole turn beyond the end of a short way has this many to go.
