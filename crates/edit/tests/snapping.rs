@@ -122,7 +122,6 @@ const INSIDE_M: f64 = 0.002;
 fn check_on(scene: &Scene, limb: Limb, bone: Bone, what: &str) {
     let missed = scene.editor.evaluation().limbs[limb.index()].residual;
     let height = scene.height(scene.articulator(limb), |b| Limb::of(b) != Some(limb));
-    println!("{what} on {bone}: {:.2} mm over the skin, {:.3} mm missed", height * 1e3, missed * 1e3);
     assert!(missed < 1e-6, "{what}: {missed} m missed");
     assert!((-INSIDE_M..OFF_M).contains(&height), "{what}: {height} m over the skin of {bone}");
 }
@@ -330,7 +329,6 @@ fn a_grabbed_place_of_the_skin_has_no_clearance_and_a_joint_has() {
     let names = &editor.figure().articulators[Limb::RightArm.index()];
     for (name, at) in names {
         let found = clearance(*at);
-        println!("{name}: {:.1} mm", found * 1e3);
         assert_eq!(found > 0.008, name == "wrist", "{name}: {found}");
     }
 }
