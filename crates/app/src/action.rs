@@ -145,7 +145,7 @@ actions! {
         SmallerUi: "Smaller controls", "Makes text and controls smaller.", ["Ctrl+Minus"];
         ResetUi: "Controls at 100 %", "Text and controls at their own size.", ["Ctrl+0"];
         Controls: "Keyboard to the controls", "Puts the keyboard on the first control; Tab then goes on, Esc comes back.", ["F6"];
-        Help: "Gestures and shortcuts", "What every key and gesture does.", ["F1", "?"];
+        Help: "All gestures and keys", "What every key and gesture does.", ["F1", "?"];
     }
     Drag {
         AlongX: "Along X", "Only along the world's X; again: freely.", ["X"];

@@ -19,6 +19,7 @@ mod rail;
 mod reaching;
 mod session;
 mod settings;
+mod sign;
 mod status_line;
 mod theme;
 mod toolbar;

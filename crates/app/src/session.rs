@@ -19,7 +19,7 @@ use crate::dialogs::Dialogs;
 use crate::disk::Disk;
 use crate::failure::Failure;
 use crate::keymap::Keymap;
-use crate::library::Library;
+use crate::library::{Folders, Library};
 use crate::panels::Panels;
 use crate::settings::{ConfigFolder, Settings};
 use crate::viewport::Viewport;
@@ -49,8 +49,6 @@ pub struct Session {
     pub panels: Panels,
     /// How the figure is looked at.
     pub viewport: Viewport,
-    /// The poses to choose from.
-    pub library: Library,
     dialogs: Dialogs,
     /// Whether the processor draws: then movement is drawn with fewer samples.
     pub software: bool,
@@ -65,6 +63,7 @@ pub struct Session {
     paste_text: Option<String>,
     /// Whether the clipboard was asked for to be pasted mirrored.
     paste_mirrored: bool,
+    library: Library,
 }
 
 impl Session {
@@ -78,7 +77,6 @@ impl Session {
             status: Status::default(),
             panels: Panels::default(),
             viewport: Viewport::default(),
-            library: Library::default(),
             dialogs: Dialogs::default(),
             software: false,
             moving: false,
@@ -89,6 +87,7 @@ impl Session {
             config: None,
             paste_text: None,
             paste_mirrored: false,
+            library: Library::default(),
         }
     }
 
@@ -142,6 +141,16 @@ impl Session {
     pub fn file_name(&self) -> String {
         let name = self.path.as_ref().and_then(|path| path.file_name());
         name.map_or_else(|| "Unnamed pose".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// The library of poses.
+    pub fn library(&self) -> &Library {
+        &self.library
+    }
+
+    /// Takes the library's poses and portraits from folders.
+    pub fn use_library(&mut self, folders: Folders) {
+        self.library = Library::new(folders);
     }
 
     /// Asks the editor, and remembers what came of it for the status line.
@@ -226,7 +235,7 @@ impl Session {
         if self.settings.panel {
             self.panel(ui);
         }
-        self.library(ui);
+        self.show_library(ui);
         self.picture(ui);
         self.end_gesture(ui);
         self.dialogs(ui);
@@ -246,14 +255,14 @@ impl Session {
         self.submit_all(requests);
     }
 
-    fn library(&mut self, ui: &mut Ui) {
+    fn show_library(&mut self, ui: &mut Ui) {
         self.library.follow(self.settings.library_folder.as_deref());
-        let selected = self.panels.selection().parts();
-        let asked = self.library.panel(ui, self.settings.library, &self.editor, &selected);
+        let parts = self.chosen_parts();
+        let asked = self.library.panel(ui, self.settings.library, &self.editor, &parts);
         self.submit_all(asked.requests);
         match asked.told {
-            Some(Ok(done)) => self.say(done),
-            Some(Err(why)) => self.tell(Err(Failure::Input(why))),
+            Some(Ok(words)) => self.say(words),
+            Some(Err(fault)) => self.tell(Err(Failure::Input(fault))),
             None => {}
         }
     }
@@ -261,6 +270,7 @@ impl Session {
     fn picture(&mut self, ui: &mut Ui) {
         self.viewport.hint(self.panels.hinted());
         self.viewport.guides = self.panels.guides();
+        self.viewport.balance = self.panels.balance_marks();
         let asked = egui::CentralPanel::no_frame()
             .show(ui, |ui| self.viewport.show(ui, &self.editor, self.panels.selection(), self.software))
             .inner;

@@ -6,7 +6,7 @@ use egui::{Align, Color32, Label, Layout, RichText, Ui};
 use rig::Limb;
 
 use crate::session::Session;
-use crate::{keycap, labels, reaching, theme};
+use crate::{keycap, labels, reaching, sign, theme};
 use hints::Hint;
 
 /// Shows the line.
@@ -41,7 +41,8 @@ fn file(ui: &mut Ui, session: &Session) {
     let misses = misses(session);
     if !misses.is_empty() {
         ui.add_space(12.0);
-        text(ui, format!("⚠ {}", misses.join(" · ")), palette.warning);
+        text(ui, misses.join(" · "), palette.warning);
+        sign::fault(ui, palette.warning);
     }
     ui.add_space(12.0);
 }
@@ -57,7 +58,10 @@ fn news(ui: &mut Ui, session: &Session) {
         return;
     }
     match status.fault {
-        true => text(ui, format!("⚠ {words}"), palette.warning),
+        true => {
+            sign::fault(ui, palette.warning);
+            text(ui, words, palette.warning);
+        }
         false => text(ui, words, palette.text),
     }
     ui.add_space(10.0);

@@ -12,9 +12,10 @@ use edit::Editor;
 
 use crate::failure::Failure;
 use crate::keepsafe::Keepsafe;
-use crate::library::{Folders, Library};
+use crate::library::Folders;
 use crate::load::{self, Kind};
 use crate::session::Session;
+use crate::settings::ConfigFolder;
 
 pub use offscreen::{session_picture, ui_picture};
 
@@ -27,10 +28,13 @@ pub use offscreen::{session_picture, ui_picture};
 /// No display or no adapter, with the cure; files at fault.
 pub fn run(files: &[PathBuf], ui_map: Option<&Path>) -> Result<(), Failure> {
     let mut session = session(files)?;
+    session.use_library(Folders::of_user());
+    if let Some(folder) = ConfigFolder::of_user() {
+        session.configure_from(folder);
+    }
     if let Some(folder) = Keepsafe::folder() {
         session.keep_in(&folder);
     }
-    session.library = Library::new(Folders::of_user());
     frames::run(session, ui_map.map(Path::to_owned))
 }
 

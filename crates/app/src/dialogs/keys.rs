@@ -4,7 +4,7 @@ use egui::{Button, Context, FocusDirection, Key, RichText, ScrollArea, TextEdit,
 
 use crate::action::{Action, Group};
 use crate::keymap::{Chord, Keymap, Pressed, defaults};
-use crate::theme;
+use crate::{sign, theme};
 
 /// What the table waits for and tells.
 #[derive(Default)]
@@ -75,7 +75,8 @@ impl KeyTable {
         ui.horizontal(|ui| {
             ui.set_min_height(22.0);
             if let Some((action, index, chord, other)) = self.clash {
-                let words = format!("⚠ {} does “{}” already.", chord.shown(), other.words());
+                let words = format!("{} does “{}” already.", chord.shown(), other.words());
+                sign::fault(ui, theme::of(ui).warning);
                 ui.label(RichText::new(words).color(theme::of(ui).warning));
                 if ui.button("Take it").clicked() {
                     let left = keymap.chords(other).iter().copied().filter(|c| *c != chord).collect();
@@ -160,7 +161,7 @@ impl KeyTable {
             defaults(action).into_iter().partition(|chord| keymap.clash(action, *chord).is_none());
         keymap.set(action, free);
         self.told = match taken.first() {
-            Some(chord) => format!("⚠ {} stays with another action", chord.shown()),
+            Some(chord) => format!("{} stays with another action", chord.shown()),
             None => format!("“{}” has its keys by default", action.words()),
         };
     }

@@ -1,5 +1,7 @@
 //! The settings: look, navigation, keys.
 
+use std::path::PathBuf;
+
 use edit::Preset;
 use egui::{Slider, Ui};
 
@@ -45,7 +47,7 @@ impl Dialogs {
             ui.set_min_height(room);
             match self.section {
                 Section::Look => look(ui, settings, viewport),
-                Section::Navigation => navigation(ui, settings),
+                Section::Navigation => navigation(ui, &mut viewport.preset),
                 Section::Keys => self.key_table.show(ui, keymap, room),
             }
         });
@@ -71,6 +73,8 @@ fn look(ui: &mut Ui, settings: &mut Settings, viewport: &mut Viewport) {
     ui.checkbox(&mut viewport.marks, "Marks over the figure");
     ui.checkbox(&mut viewport.side_view, "Second view");
     ui.add_space(10.0);
+    folder(ui, settings);
+    ui.add_space(10.0);
     backdrop::ui(ui, &mut viewport.backdrop);
 }
 
@@ -95,11 +99,28 @@ fn size(ui: &mut Ui, settings: &mut Settings) {
     });
 }
 
-fn navigation(ui: &mut Ui, settings: &mut Settings) {
+/// The folder is followed once its field is left.
+fn folder(ui: &mut Ui, settings: &mut Settings) {
+    ui.strong("Folder of your own poses");
+    let id = egui::Id::unique("library folder");
+    let chosen = settings.library_folder.as_ref().map_or_else(String::new, |path| path.display().to_string());
+    let mut typed = ui.data(|data| data.get_temp::<String>(id)).unwrap_or(chosen);
+    let field = egui::TextEdit::singleline(&mut typed).hint_text("in your data folder").desired_width(360.0);
+    let response = ui.add(field).accessible_name("Folder of your own poses");
+    if response.lost_focus() {
+        let path = typed.trim();
+        settings.library_folder = (!path.is_empty()).then(|| PathBuf::from(path));
+        ui.data_mut(|data| data.remove_temp::<String>(id));
+    } else if response.changed() {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+    }
+}
+
+fn navigation(ui: &mut Ui, chosen: &mut Preset) {
     ui.strong("Turning, sliding and zooming the view as in");
     for preset in Preset::ALL {
         ui.add_space(4.0);
-        ui.radio_value(&mut settings.navigation, preset, preset.name());
+        ui.radio_value(chosen, preset, preset.name());
         ui.horizontal(|ui| {
             ui.add_space(22.0);
             ui.add(egui::Label::new(egui::RichText::new(preset.explained()).weak()).wrap());

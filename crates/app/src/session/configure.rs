@@ -14,6 +14,7 @@ impl Session {
         let (settings, keymap, faults) = folder.load();
         self.viewport.marks = settings.marks;
         self.viewport.side_view = settings.second_view;
+        self.viewport.preset = settings.navigation;
         self.keymap = keymap;
         self.settings = settings.clone();
         self.config = Some((folder, settings));
@@ -25,10 +26,9 @@ impl Session {
     }
 
     /// Gives the window the look and the size that were chosen.
-    pub(super) fn show_as_chosen(&mut self, ctx: &Context) {
+    pub(super) fn show_as_chosen(&self, ctx: &Context) {
         theme::follow(ctx, self.settings.look);
         ctx.set_zoom_factor(self.settings.ui_scale);
-        self.viewport.preset = self.settings.navigation;
     }
 
     /// Writes what has changed, once the pointer lets go.

@@ -4,6 +4,7 @@ use egui::{Button, Ui};
 
 use crate::action::Action;
 use crate::session::Session;
+use crate::{sign, theme};
 
 /// One entry of a menu.
 enum Entry {
@@ -125,16 +126,15 @@ fn show_entry(ui: &mut Ui, session: &Session, entry: &Entry, asked: &mut Vec<Act
 
 /// A row of a menu: what it does, whether it is on, its key.
 fn item(ui: &mut Ui, session: &Session, action: Action) -> egui::Response {
-    let mark = match session.is_on(action) {
-        Some(true) => "✔ ",
-        _ => "    ",
-    };
-    let words = format!("{mark}{}", action.words());
-    let button = Button::new(words)
+    let indented = format!("      {}", action.words());
+    let button = Button::new(indented)
         .shortcut_text(session.keymap().shown(action))
         .frame_when_inactive(false)
         .min_size(egui::vec2(ui.available_width(), 0.0));
     let response = ui.add_enabled(session.can(action), button);
+    if session.is_on(action) == Some(true) {
+        sign::check(ui, response.rect.left_center() + egui::vec2(14.0, 0.0), theme::of(ui).text);
+    }
     response.widget_info(|| match session.is_on(action) {
         Some(on) => egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, action.words()),
         None => egui::WidgetInfo::labeled(egui::Role::Button, true, action.words()),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
-use egui::{Context, ViewportId};
+use egui::{Context, ViewportCommand, ViewportId};
 use winit::application::ApplicationHandler;
 use winit::dpi::LogicalSize;
 use winit::event::{StartCause, WindowEvent};
@@ -106,7 +106,12 @@ impl Frames {
         let raw = shown.input.take_egui_input(&shown.window);
         let mut output = self.ctx.run_ui(raw, |ui| self.session.ui(ui));
         let tree = output.platform_output.accesskit_update.take();
-        let delay = output.viewport_output.get(&ViewportId::ROOT).map(|viewport| viewport.repaint_delay);
+        let viewport = output.viewport_output.get(&ViewportId::ROOT);
+        let delay = viewport.map(|viewport| viewport.repaint_delay);
+        if viewport.is_some_and(|viewport| viewport.commands.contains(&ViewportCommand::RequestPaste)) {
+            paste(&mut shown.input);
+            shown.window.request_redraw();
+        }
         shown.input.handle_platform_output(&shown.window, std::mem::take(&mut output.platform_output));
         let view = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
         shown.painter.paint(&self.ctx, output, shown.screen.size(), &view);
@@ -136,6 +141,13 @@ impl Frames {
 
     fn wake_at(&mut self, at: Instant) {
         self.wake = Some(self.wake.map_or(at, |former| former.min(at)));
+    }
+}
+
+/// Hands the clipboard's text on, as the key for pasting does.
+fn paste(input: &mut egui_winit::State) {
+    if let Some(text) = input.clipboard_text().filter(|text| !text.is_empty()) {
+        input.egui_input_mut().events.push(egui::Event::Paste(text.replace("\r\n", "\n")));
     }
 }
 

@@ -56,13 +56,14 @@ pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, F
     theme::apply(&ctx);
     for frame in 0..FRAMES + WAITS {
         if frame >= FRAMES {
-            if session.library.is_settled() {
+            if session.library().is_settled() {
                 break;
             }
             std::thread::sleep(std::time::Duration::from_millis(50));
         }
+        let room = egui::vec2(size[0] as f32, size[1] as f32) / ctx.pixels_per_point();
         let input = RawInput {
-            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(size[0] as f32, size[1] as f32))),
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, room)),
             time: Some(frame as f64),
             focused: true,
             ..RawInput::default()

@@ -158,10 +158,12 @@ fn a_part_is_reset_and_mirrored() {
     click(&mut hand, "Reset left arm");
     assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 0.0);
     assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 70.0);
-    click(&mut hand, "Mirror");
+    hand.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::M);
+    hand.run();
     assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 70.0);
     assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 0.0);
-    click(&mut hand, "Reset");
+    hand.key_press_modifiers(egui::Modifiers::COMMAND | egui::Modifiers::ALT, egui::Key::R);
+    hand.run();
     assert_eq!(pose(&hand).angles, hand.state().editor().figure().rest_pose().angles);
 }
 

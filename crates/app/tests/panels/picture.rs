@@ -20,7 +20,8 @@ fn dragging_empty_space_turns_the_view_and_not_the_figure() {
     hand.key_press(Key::Num1);
     hand.run();
     assert_eq!(hand.state().viewport.camera.yaw_rad, 0.0);
-    click(&mut hand, "View right");
+    click(&mut hand, "View");
+    click(&mut hand, "Right");
     assert!(hand.state().viewport.camera.eye().x < -1.0);
     assert_eq!(pose(&hand), before);
     assert_eq!(steps(&hand), 0);
