@@ -74,17 +74,13 @@ impl Sheet<'_> {
     fn paint_map(&self, ui: &Ui, origin: Pos2, under: Option<Bone>, focused: bool) {
         let (painter, palette) = (ui.painter(), theme::of(ui));
         let moved = |at: &Pos2| *at + origin.to_vec2();
-        let shift = |(x, y): (f32, f32)| origin + vec2(x, y);
-        for side in [1.0, -1.0] {
-            let lead = figure::LEAD.map(|(x, y)| shift((side * x, y)));
-            painter.line_segment(lead, Stroke::new(1.0, palette.live.gamma_multiply(0.7)));
-        }
         let pointed = under.or(self.panels.lit);
         for shape in figure::SHAPES.iter() {
             let points: Vec<Pos2> = shape.outline.iter().map(moved).collect();
             let fill = self.fill(palette, shape.bone, pointed == Some(shape.bone));
-            // A seam in the panel's colour parts each shape from those behind it.
-            painter.add(Shape::convex_polygon(points, fill, Stroke::new(1.6, palette.panel)));
+            // A seam in the panel's colour parts each shape from those behind it; eyes are too small for one.
+            let seam = if shape.bone.name().ends_with("Eye") { 0.0 } else { 1.6 };
+            painter.add(Shape::convex_polygon(points, fill, Stroke::new(seam, palette.panel)));
         }
         for shape in figure::SHAPES.iter() {
             let points: Vec<Pos2> = shape.outline.iter().map(moved).collect();
@@ -110,7 +106,7 @@ impl Sheet<'_> {
         for limb in Limb::ALL {
             let at = origin + figure::contact_place(limb).to_vec2();
             let contact = &self.editor.pose().limb(limb).contact;
-            glyph::contact(painter, at, 8.0, contact, palette.side(limb.side()));
+            glyph::contact(painter, at, 10.0, contact, palette.side(limb.side()));
         }
         let mut marked = [false; Bone::COUNT];
         for shape in figure::SHAPES.iter().rev().filter(|shape| self.is_locked(shape.bone)) {

@@ -4,12 +4,14 @@ use edit::{Command, Request};
 use egui::Ui;
 use glam::DVec3;
 use kin::Interval;
-use rig::Bone;
+use rig::{Bone, Mechanics};
 
+use super::percent::Percent;
 use super::row::Ink;
 use super::{Sheet, row};
 use crate::number::Number;
 use crate::rail::{Change, Rail};
+use crate::viewport::balance;
 
 impl Sheet<'_> {
     pub(super) fn figure(&mut self, ui: &mut Ui) {
@@ -22,12 +24,68 @@ impl Sheet<'_> {
         let tip = "Moves the hips in the world; limbs in contact hold on; metres";
         let moved = self.point(ui, "Hips", "Hips", tip, hips);
         self.ask_moved(moved, |moved| Command::MoveHips { by: moved.shift() });
+        self.balance(ui);
+        self.mechanics(ui);
+    }
+
+    /// Whether the figure stands, and the gesture that brings it over its feet.
+    fn balance(&mut self, ui: &mut Ui) {
+        row::subtitle(ui, "Balance");
+        let (words, warns) = balance::words(self.editor);
+        let columns = row::next(ui);
+        row::text(ui, columns.joint, "Standing", Ink::Plain);
+        row::text(ui, columns.rest(), &words, if warns { Ink::Warning } else { Ink::Faint });
+        let tip = "Drag: shifts the hips so that the centre of mass comes over the feet in contact";
+        let held = egui::Id::unique("balance held");
+        let share = ui.data(|data| data.get_temp(held)).unwrap_or(0.0);
+        let (dragged, change) = Percent { title: "Balance", name: "Balance amount", tip, share }.show(ui);
+        if let Some(Change::Preview(share)) = change {
+            ui.data_mut(|data| data.insert_temp(held, share));
+        } else if !dragged {
+            ui.data_mut(|data| data.remove::<f64>(held));
+        }
+        self.ask(change, |amount| Command::Balance { amount });
         ui.add_space(4.0);
-        let balance = ui
-            .button("Balance over the feet")
-            .on_hover_text("Shifts the hips so that the centre of mass comes over the feet in contact");
-        if balance.clicked() {
-            self.requests.push(Request::Do(Command::Balance { amount: 1.0 }));
+        ui.horizontal(|ui| {
+            let tip = "Shifts the hips so that the centre of mass comes over the feet in contact";
+            if ui.button("Balance over the feet").on_hover_text(tip).clicked() {
+                self.requests.push(Request::Do(Command::Balance { amount: 1.0 }));
+            }
+            let tip = "Centre of mass, its plumb line and what the soles enclose on the ground";
+            ui.checkbox(&mut self.panels.balance_marks, "Show in the picture").on_hover_text(tip);
+        });
+    }
+
+    /// What gestures bring along.
+    fn mechanics(&mut self, ui: &mut Ui) {
+        row::subtitle(ui, "Body mechanics");
+        let now = self.editor.document().mechanics;
+        let mut on = now.collar_rhythm;
+        let tip = "A reach or a turn of the upper arm raises the collar along, from 30 degrees on by a third";
+        if ui.checkbox(&mut on, "Collar rises with the arm").on_hover_text(tip).changed() {
+            self.requests.push(Request::Mechanics(Mechanics { collar_rhythm: on, ..now }));
+        }
+        let tip = "How much the torso leans and turns after a reach that the arm alone finds far";
+        let held = egui::Id::unique("torso follow held");
+        let on_the_way: Option<f64> = ui.data(|data| data.get_temp(held));
+        let share = on_the_way.unwrap_or(now.torso_follow);
+        let row = Percent { title: "Torso follows", name: "Torso follows", tip, share };
+        let (dragged, change) = row.show(ui);
+        let set = match change {
+            Some(Change::Preview(share)) => {
+                ui.data_mut(|data| data.insert_temp(held, share));
+                None
+            }
+            Some(Change::Set(share)) => Some(share),
+            // Let go: a setting is one step, however long it was dragged.
+            None if !dragged => {
+                ui.data_mut(|data| data.remove::<f64>(held));
+                on_the_way
+            }
+            None => None,
+        };
+        if let Some(torso_follow) = set.filter(|share| *share != now.torso_follow) {
+            self.requests.push(Request::Mechanics(Mechanics { torso_follow, ..now }));
         }
     }
 

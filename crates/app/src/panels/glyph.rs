@@ -1,22 +1,29 @@
 //! Small drawn signs, told apart by their form: how a limb holds on, and whether a joint is locked.
 
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, pos2, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2, pos2, vec2};
 use rig::Contact;
 
-/// A limb's contact: a ring if free, a diamond on a point, a square if planted; in the colour of its side.
+/// A limb's contact as the picture marks it: a small disc if free, crosshairs on a point, a square on feet if planted.
 pub fn contact(painter: &Painter, at: Pos2, size: f32, contact: &Contact, color: Color32) {
     let half = size * 0.5;
+    let stroke = Stroke::new((size * 0.13).max(1.0), color);
+    let tick = |way: Vec2, from: f32| painter.line_segment([at + way * half * from, at + way * half], stroke);
     match contact {
         Contact::Free => {
-            painter.circle_stroke(at, half * 0.75, Stroke::new(1.2, color.gamma_multiply(0.6)));
+            painter.circle_filled(at, half * 0.45, color.gamma_multiply(0.75));
         }
         Contact::Point { .. } => {
-            let corners = [vec2(0.0, -half), vec2(half, 0.0), vec2(0.0, half), vec2(-half, 0.0)];
-            let corners = corners.map(|corner| at + corner * 1.2).to_vec();
-            painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
+            painter.circle_stroke(at, half * 0.62, stroke);
+            painter.circle_filled(at, half * 0.22, color);
+            for way in [vec2(1.0, 0.0), vec2(-1.0, 0.0), vec2(0.0, 1.0), vec2(0.0, -1.0)] {
+                tick(way, 0.62);
+            }
         }
         Contact::Planted { .. } => {
-            painter.rect_filled(Rect::from_center_size(at, vec2(size, size) * 0.9), 0.5, color);
+            painter.rect_filled(Rect::from_center_size(at, vec2(half, half) * 1.4), 0.5, color);
+            for way in [vec2(1.0, 1.0), vec2(-1.0, 1.0), vec2(1.0, -1.0), vec2(-1.0, -1.0)] {
+                tick(way * 0.95, 0.6);
+            }
         }
     }
 }

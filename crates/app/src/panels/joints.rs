@@ -64,17 +64,24 @@ impl Sheet<'_> {
         self.ask(change, turn);
     }
 
-    /// A click on a row's words chooses its bone.
+    /// A click on a row's words chooses its bone; pointing at them lights it up in the picture.
     fn choose_cell(&mut self, ui: &mut Ui, columns: row::Row, bone: Bone, dof: Dof, first: bool) {
-        let words = columns.joint.union(columns.angle);
-        let id = egui::Id::unique(("words", bone.index(), dof as usize));
-        let response = ui.interact(words, id, Sense::click()).on_hover_text(labels::meaning(bone, dof));
-        if first {
-            let name = format!("Choose {}", labels::full_of(bone, dof).to_lowercase());
-            response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
-        }
-        if response.clicked() {
-            self.choose_row(ui, bone);
+        for (part, cell) in [("joint", columns.joint), ("angle", columns.angle)] {
+            let id = egui::Id::unique(("words", part, bone.index(), dof as usize));
+            // One stop for Tab a joint.
+            let named = first && part == "joint";
+            let sense = if named { Sense::click() } else { Sense::CLICK };
+            let response = ui.interact(cell, id, sense).on_hover_text(labels::meaning(bone, dof));
+            if named {
+                let name = format!("Choose {}", labels::full_of(bone, dof).to_lowercase());
+                response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), &name));
+            }
+            if response.contains_pointer() {
+                self.panels.hinted = Some(bone);
+            }
+            if response.clicked() {
+                self.choose_row(ui, bone);
+            }
         }
     }
 

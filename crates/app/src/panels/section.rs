@@ -84,7 +84,7 @@ impl Signs {
         let mut at = end_of_title + vec2(14.0, 0.0);
         if let Some(contact) = &self.contact {
             let color = side.map_or(palette.text, |side| palette.side(side));
-            glyph::contact(ui.painter(), at, 8.0, contact, color);
+            glyph::contact(ui.painter(), at, 10.0, contact, color);
             at.x += 16.0;
         }
         if self.locked > 0 {

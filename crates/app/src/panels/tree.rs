@@ -13,7 +13,7 @@ const ROW: f32 = 20.0;
 /// How much farther in each level is, points.
 const INDENT: f32 = 11.0;
 /// Height of the list, points: with the search as high as the map, so that changing moves nothing below.
-const LIST: f32 = 220.0;
+const LIST: f32 = 226.0;
 
 /// What the tree remembers.
 #[derive(Clone, PartialEq, Debug)]
@@ -178,7 +178,7 @@ impl Sheet<'_> {
         }
         if let Some(limb) = Limb::ALL.into_iter().find(|limb| limb.parts().end == bone) {
             let contact = &self.editor.pose().limb(limb).contact;
-            glyph::contact(painter, pos2(next, y), 8.0, contact, palette.side(limb.side()));
+            glyph::contact(painter, pos2(next, y), 10.0, contact, palette.side(limb.side()));
         }
     }
 

@@ -36,12 +36,9 @@ pub static SHAPES: LazyLock<Vec<Shape>> = LazyLock::new(|| {
 
 /// Where the mark of a limb's contact is.
 pub fn contact_place(limb: Limb) -> Pos2 {
-    let place = if limb.is_arm() { pos2(61.0, 138.0) } else { pos2(28.0, 236.0) };
+    let place = if limb.is_arm() { pos2(63.5, 140.0) } else { pos2(31.0, 237.0) };
     if limb.side() == rig::Side::Left { place } else { pos2(-place.x, place.y) }
 }
-
-/// The thin line from the small left hand to the large one.
-pub const LEAD: [(f32, f32); 2] = [(57.0, 150.0), (95.0, 144.0)];
 
 fn mirrored(shape: &Shape) -> Shape {
     let flip = |at: &Pos2| pos2(-at.x, at.y);
@@ -70,33 +67,55 @@ fn slab(bone: Bone, joint_y: f32, half: &[(f32, f32)], radius: f32) -> Shape {
 }
 
 fn middle() -> Vec<Shape> {
-    let eye = |bone, x: f32| segment(bone, (x - 0.8, 18.5), 2.5, (x + 0.8, 18.5), 2.5);
+    let head = egg((0.0, 18.0), (13.0, 17.0), 0.2);
+    // The jaw is the head below the mouth, so that both make one outline.
+    let jaw = below(&head, 28.5);
+    let eye = |bone, x: f32| segment(bone, (x - 0.5, 18.0), 1.8, (x + 0.5, 18.0), 1.8);
     vec![
-        slab(Neck, 42.0, &[(6.0, 32.0), (6.0, 44.0), (4.0, 52.0)], 3.0),
-        slab(Hips, 117.0, &[(19.5, 107.0), (23.5, 121.0), (19.0, 126.0), (6.0, 132.0)], 5.0),
-        slab(Spine, 97.5, &[(18.5, 91.0), (19.5, 105.0)], 4.0),
-        slab(Chest, 81.0, &[(21.5, 73.5), (18.5, 89.0)], 4.0),
-        slab(UpperChest, 63.0, &[(21.5, 55.5), (24.0, 60.0), (22.0, 71.5)], 4.5),
-        Shape { bone: Head, outline: egg((0.0, 18.0), (13.0, 17.0), 0.24), joint: pos2(0.0, 9.0) },
-        slab(Jaw, 31.0, &[(8.6, 27.5), (6.6, 33.6), (3.4, 36.2)], 2.6),
-        eye(LeftEye, 5.4),
-        eye(RightEye, -5.4),
+        slab(Neck, 41.0, &[(6.0, 31.0), (6.0, 44.0), (4.8, 51.2)], 3.0),
+        slab(Hips, 116.0, &[(19.0, 106.6), (22.5, 115.0), (23.8, 121.5), (19.5, 126.5), (6.5, 132.0)], 4.0),
+        slab(Spine, 98.0, &[(18.6, 90.2), (19.0, 106.4)], 2.2),
+        slab(Chest, 81.5, &[(22.4, 72.8), (18.8, 90.0)], 2.2),
+        slab(UpperChest, 64.0, &[(5.0, 52.0), (21.0, 56.5), (24.2, 62.0), (22.8, 72.6)], 3.0),
+        Shape { bone: Head, outline: head, joint: pos2(0.0, 9.0) },
+        Shape { bone: Jaw, outline: jaw, joint: pos2(0.0, 31.0) },
+        eye(LeftEye, 5.0),
+        eye(RightEye, -5.0),
     ]
+}
+
+/// The part of a convex outline below a height.
+fn below(outline: &[Pos2], y: f32) -> Vec<Pos2> {
+    let mut part = Vec::new();
+    for (a, b) in outline.iter().zip(outline.iter().cycle().skip(1)) {
+        if a.y >= y {
+            part.push(*a);
+        }
+        if (a.y >= y) != (b.y >= y) {
+            part.push(a.lerp(*b, (y - a.y) / (b.y - a.y)));
+        }
+    }
+    part
 }
 
 fn arms() -> Vec<Shape> {
     vec![
-        segment(LeftHand, (50.0, 136.5), 4.0, (52.5, 147.5), 4.6),
+        segment(LeftHand, (50.2, 136.4), 4.4, (52.8, 147.0), 5.0),
         segment(LeftLowerArm, (41.8, 97.5), 5.4, (48.4, 127.5), 3.9),
         segment(LeftUpperArm, (31.0, 56.0), 7.0, (39.4, 89.0), 5.4),
-        segment(LeftShoulder, (9.6, 48.0), 3.4, (22.0, 49.5), 4.2),
+        plate(
+            LeftShoulder,
+            (14.0, 48.0),
+            &[(7.6, 43.0), (11.0, 43.4), (25.0, 49.0), (24.0, 55.0), (7.6, 50.6)],
+            2.5,
+        ),
     ]
 }
 
 fn legs() -> Vec<Shape> {
     vec![
-        plate(LeftFoot, (11.5, 230.0), &[(7.4, 226.5), (14.4, 226.5), (19.0, 237.0), (5.4, 237.0)], 3.0),
-        plate(LeftToes, (12.5, 242.0), &[(5.2, 238.6), (19.6, 238.6), (21.0, 245.0), (4.8, 245.0)], 2.6),
+        plate(LeftFoot, (11.5, 230.0), &[(6.8, 224.6), (15.0, 224.6), (20.4, 237.0), (5.2, 237.0)], 3.5),
+        plate(LeftToes, (12.5, 242.0), &[(5.0, 237.8), (20.6, 237.8), (22.4, 245.6), (4.4, 245.6)], 3.0),
         segment(LeftLowerLeg, (12.2, 184.5), 7.0, (11.0, 219.0), 4.6),
         segment(LeftUpperLeg, (12.8, 133.0), 10.2, (12.2, 171.0), 7.4),
     ]
@@ -104,43 +123,43 @@ fn legs() -> Vec<Shape> {
 
 /// The large hand, seen from its back, fingers down and thumb toward the body.
 fn fingers() -> Vec<Shape> {
-    let palm = [(104.0, 140.0), (122.0, 140.0), (133.0, 160.0), (131.0, 176.0), (98.0, 176.0), (96.0, 158.0)];
+    let palm = [(104.0, 136.0), (121.5, 136.0), (135.6, 158.0), (134.4, 174.2), (95.0, 175.8), (93.4, 156.0)];
     let mut shapes = vec![plate(LeftHand, (113.0, 150.0), &palm, 6.0)];
     let rays = [
         (
             [LeftThumbMetacarpal, LeftThumbProximal, LeftThumbDistal],
-            (95.0, 160.0),
-            (-0.62, 0.78),
-            [9.0, 8.0, 6.5],
-            4.4,
+            (97.0, 152.0),
+            (-0.6, 0.8),
+            [17.0, 15.0, 13.5],
+            5.4,
         ),
         (
             [LeftIndexProximal, LeftIndexIntermediate, LeftIndexDistal],
-            (101.5, 183.0),
-            (-0.13, 0.99),
-            [12.5, 9.0, 7.0],
-            3.9,
+            (99.6, 180.0),
+            (-0.12, 0.99),
+            [19.0, 15.0, 13.0],
+            4.8,
         ),
         (
             [LeftMiddleProximal, LeftMiddleIntermediate, LeftMiddleDistal],
-            (110.5, 184.0),
+            (110.0, 181.0),
             (-0.03, 1.0),
-            [14.0, 10.5, 7.5],
-            3.9,
+            [21.0, 16.5, 13.5],
+            4.8,
         ),
         (
             [LeftRingProximal, LeftRingIntermediate, LeftRingDistal],
-            (119.5, 183.5),
-            (0.07, 1.0),
-            [12.5, 9.5, 7.0],
-            3.9,
+            (120.4, 180.5),
+            (0.06, 1.0),
+            [19.0, 15.0, 13.0],
+            4.8,
         ),
         (
             [LeftLittleProximal, LeftLittleIntermediate, LeftLittleDistal],
-            (128.2, 182.0),
-            (0.19, 0.98),
-            [9.0, 6.5, 5.5],
-            3.5,
+            (130.2, 178.5),
+            (0.17, 0.985),
+            [15.0, 12.0, 11.0],
+            4.3,
         ),
     ];
     for (bones, base, along, lengths, radius) in rays {
@@ -149,19 +168,17 @@ fn fingers() -> Vec<Shape> {
     shapes
 }
 
-/// A finger's three segments, with a small gap between each two.
+/// A finger's three segments, each as long as given and a little over the one before; the seam parts them.
 fn ray(bones: [Bone; 3], base: (f32, f32), along: (f32, f32), lengths: [f32; 3], radius: f32) -> Vec<Shape> {
-    let mut start = base;
-    let mut radius = radius;
+    let (mut start, mut radius) = (base, radius);
     let mut shapes = Vec::new();
     for (bone, length) in bones.into_iter().zip(lengths) {
-        // A segment's discs lie within its length, so it must be longer than they are.
-        let straight = (length - 2.0 * radius + 4.0).max(1.0);
-        let end = (start.0 + along.0 * straight, start.1 + along.1 * straight);
-        shapes.push(segment(bone, start, radius, end, radius * 0.95));
-        let step = straight + radius * 1.9 + 0.6;
-        start = (start.0 + along.0 * step, start.1 + along.1 * step);
-        radius *= 0.94;
+        let tip = radius * 0.94;
+        let onward = |by: f32| (start.0 + along.0 * by, start.1 + along.1 * by);
+        let end = onward(length - radius - tip);
+        shapes.push(segment(bone, start, radius, end, tip));
+        start = onward(length - 0.4);
+        radius = tip;
     }
     shapes
 }
