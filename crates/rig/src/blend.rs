@@ -81,8 +81,9 @@ fn settle(
 /// Blends parts of a pose toward a patch: 0 leaves them, 1 is the patch, beyond is more of the same. The place of
 /// the figure stays.
 ///
-/// Ball joints go by the shortest turn, hinges by the angle. At amount 1 limbs take the patch's contacts, held
-/// where they then are; otherwise they keep their own, which move along.
+/// Ball joints go by the shortest turn from 0 to 1 and by their angles beyond, hinges by the angle, so that no joint
+/// jumps as the amount grows. At amount 1 limbs take the patch's contacts, held where they then are; otherwise they
+/// keep their own, which move along.
 ///
 /// # Errors
 /// An amount that is not finite, contacts that would go round in a circle, limbs that can't be solved.
@@ -127,21 +128,25 @@ fn blended(figure: &Figure, bone: Bone, from: Angles, to: Angles, amount: f64) -
     if amount == 1.0 {
         return to;
     }
-    let joint = figure.skeleton.joint(bone);
-    if let Some((joint, Articulation::Ball { ball, .. })) = joint.map(|j| (j, &j.articulation)) {
-        let (a, b) = (joint.rotation(from), joint.rotation(to));
-        let turn = a.conjugate() * b;
-        let turn = if turn.w < 0.0 { -turn } else { turn };
-        let [flexion, abduction, twist] =
-            ball.angles(a * DQuat::from_scaled_axis(turn.to_scaled_axis() * amount));
-        return Angles {
-            flexion: flexion.to_degrees(),
-            abduction: abduction.to_degrees(),
-            twist: twist.to_degrees(),
-        };
-    }
     let mix = |dof: Dof| from.get(dof) + (to.get(dof) - from.get(dof)) * amount;
-    Angles { flexion: mix(Dof::Flexion), abduction: mix(Dof::Abduction), twist: mix(Dof::Twist) }
+    let mixed = Angles { flexion: mix(Dof::Flexion), abduction: mix(Dof::Abduction), twist: mix(Dof::Twist) };
+    let joint = figure.skeleton.joint(bone);
+    match joint.map(|j| (j, &j.articulation)) {
+        // Beyond the ends a turn that goes on would pass the point opposite to rest, where angles change sides.
+        Some((joint, Articulation::Ball { ball, .. })) if (0.0..=1.0).contains(&amount) => {
+            let (a, b) = (joint.rotation(from), joint.rotation(to));
+            let turn = a.conjugate() * b;
+            let turn = if turn.w < 0.0 { -turn } else { turn };
+            let [flexion, abduction, twist] =
+                ball.angles(a * DQuat::from_scaled_axis(turn.to_scaled_axis() * amount));
+            Angles {
+                flexion: flexion.to_degrees(),
+                abduction: abduction.to_degrees(),
+                twist: twist.to_degrees(),
+            }
+        }
+        _ => mixed,
+    }
 }
 
 /// Angles brought inside their ranges, which stretch to hold those of before.
