@@ -3,10 +3,23 @@
 use std::path::Path;
 
 use egui::accesskit::TreeUpdate;
+use rig::{Camera, Projection};
 use serde_json::{Value, json};
 
 use crate::disk;
 use crate::session::Session;
+
+/// What a test needs to tell where any point of the world is seen; angles in radians, lengths in metres.
+fn camera(camera: &Camera) -> Value {
+    json!({
+        "target": camera.target.to_array(),
+        "yaw": camera.yaw_rad,
+        "pitch": camera.pitch_rad,
+        "distance": camera.distance,
+        "fov": camera.fov_y_rad,
+        "perspective": camera.projection == Projection::Perspective,
+    })
+}
 
 /// Writes the map of a frame; rectangles are `[left, top, right, bottom]` in pixels of the window.
 pub fn write(path: &Path, frame: u64, session: &Session, tree: &TreeUpdate, pixels_per_point: f32) {
@@ -39,8 +52,19 @@ pub fn write(path: &Path, frame: u64, session: &Session, tree: &TreeUpdate, pixe
             Some((limb.name().to_owned(), json!(place(at))))
         })
         .collect();
+    let handles: serde_json::Map<String, Value> = session
+        .viewport
+        .handle_places(editor, session.panels.selected())
+        .into_iter()
+        .map(|(name, at)| (name, json!(place(at))))
+        .collect();
+    let rect = session.viewport.rect();
     let map = json!({
         "frame": frame,
+        "handles": handles,
+        "camera": camera(&session.viewport.camera),
+        "picture": { "from": place(rect.min), "to": place(rect.max) },
+        "pose": rig::write_pose(editor.figure(), editor.pose()),
         "title": session.title(),
         "status": session.status().message,
         "controls": controls,
