@@ -76,7 +76,7 @@ fn load(path: &Path) -> Result<Image, Failure> {
 
 /// The controls of the background image: its file, its opacity, and a button that takes it away.
 pub fn ui(ui: &mut Ui, backdrop: &mut Backdrop) {
-    ui.label("Background image");
+    ui.strong("Background image");
     let field = TextEdit::singleline(&mut backdrop.typed).hint_text("PNG or JPEG file").desired_width(220.0);
     let field = ui.add(field).accessible_name("Background image file");
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));

@@ -108,12 +108,14 @@ impl Viewport {
 
     /// The picture camera as thin lines: from where it stands to the corners of what it shows at its target's depth.
     pub(super) fn mark_picture_camera(&self, overlay: &mut Overlay, scale: f32) {
-        let Some(camera) = self.picture_camera.filter(|_| self.working.is_none()) else { return };
+        // Seen from itself it would only be a line about the view.
+        let apart = |camera: &Camera| self.working.is_none() && *camera != self.camera;
+        let Some(camera) = self.picture_camera.filter(apart) else { return };
         let style = Line {
             from: camera.eye(),
             to: camera.eye(),
-            color: [240, 214, 120, 190],
-            width_px: 1.2 * scale,
+            color: [240, 214, 120, 150],
+            width_px: scale,
             dash_px: 0.0,
             layer: Layer::Ghosted,
         };
