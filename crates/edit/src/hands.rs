@@ -147,6 +147,7 @@ impl Hands {
     /// Finds what is under a pointer that rests, where figure, camera or choice have changed.
     pub fn look(&mut self, stage: &Stage) {
         self.notice_end(stage.editor);
+        PosedSkin::follow(&mut self.skin, stage.editor);
         let Some(at_px) = self.pointer.filter(|_| matches!(self.state, State::Idle)) else {
             (self.under, self.seen) = (Spot::default(), None);
             return;
@@ -233,7 +234,8 @@ impl Hands {
     pub fn place_of(&self, stage: &Stage, placed: &Placed) -> Option<Vec2> {
         let (skin, all) = (self.skin.as_ref()?, self.knobs(stage));
         let takes = |at: &Vec2| spot(stage, skin, &all, *at).mark == Some(Mark::Knob(placed.knob));
-        placed.places(&stage.sight).into_iter().find(takes)
+        let inside = |at: &Vec2| at.cmpge(Vec2::ZERO).all() && at.cmple(stage.sight.size_px).all();
+        placed.places(&stage.sight).into_iter().filter(inside).find(takes)
     }
 
     /// The sight that must stay while something is dragged; `None` while nothing is.

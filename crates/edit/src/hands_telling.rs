@@ -209,9 +209,8 @@ fn angles(turning: &Turning) -> String {
     let [low, high] = turning.range_rad().unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let by = turning.angle_rad.max(low.min(0.0)).min(high.max(0.0)).to_degrees() + 0.0;
     match &turning.turn {
-        Turn::Joint(ring) | Turn::InContact { ring, .. } => {
-            format!("{by:+.1}°, {:.1}°", ring.start_deg + by + 0.0)
-        }
+        Turn::Joint(ring) => format!("{by:+.1}°, {:.1}°", ring.angle_deg(by.to_radians()) + 0.0),
+        Turn::InContact { ring, .. } => format!("{by:+.1}°, {:.1}°", ring.start_deg + by + 0.0),
         Turn::Elevation { sense, start_deg, .. } => {
             let now = wrapped((start_deg + sense * by).to_radians()).to_degrees();
             format!("{:+.1}°, {now:.1}°", sense * by + 0.0)

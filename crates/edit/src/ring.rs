@@ -53,8 +53,8 @@ impl Swing {
 
     /// The commands that bring the joint to where a rotation of the world takes it from its start.
     pub fn commands(&self, turned: DQuat) -> Vec<Command> {
-        let Articulation::Ball { ball, cone, .. } = &self.joint.articulation else { return Vec::new() };
-        let angles = ball.angles(self.world_from_carrier.conjugate() * turned * self.world_from_joint);
+        let Articulation::Ball { cone, .. } = &self.joint.articulation else { return Vec::new() };
+        let angles = self.angles(turned);
         let turn = |dof: Dof| Command::Turn {
             joint: self.joint.bone,
             dof,
@@ -65,6 +65,12 @@ impl Swing {
         // Inside a cone one angle may have to wait for the other.
         let again = cone.map(|_| [Dof::Flexion, Dof::Abduction].map(turn).to_vec());
         once.into_iter().chain(again.into_iter().flatten()).collect()
+    }
+
+    /// The angles there, radians.
+    fn angles(&self, turned: DQuat) -> [f64; 3] {
+        let Articulation::Ball { ball, .. } = &self.joint.articulation else { return [0.0; 3] };
+        ball.angles(self.world_from_carrier.conjugate() * turned * self.world_from_joint)
     }
 
     /// The interval around 0 of turns about a world axis that keep the joint's ranges, radians. What is outside of
@@ -111,6 +117,17 @@ impl Ring {
         };
         let turn = swing.map_or(Turn::Angle, |swing| Turn::Swing(Box::new(swing)));
         Some(Ring { bone, dof, axis_in_world, start_deg, range_rad, turn })
+    }
+
+    /// What a turn by some radians makes of the angle, degrees.
+    pub fn angle_deg(&self, turned_rad: f64) -> f64 {
+        match &self.turn {
+            Turn::Angle => self.start_deg + turned_rad.to_degrees(),
+            Turn::Swing(swing) => {
+                let angles = swing.angles(DQuat::from_axis_angle(self.axis_in_world, turned_rad));
+                angles[self.dof as usize].to_degrees()
+            }
+        }
     }
 
     /// The commands of a turn by some radians, from the pose that the ring was read off.
