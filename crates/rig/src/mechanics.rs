@@ -61,11 +61,16 @@ pub fn reach_with(
         let holds = with.iter().zip(without).all(|(with, without)| *with <= without + MECHANICS_TOLERANCE_M);
         holds.then_some(moved)
     };
-    if let Some(whole) = brought(1.0) {
-        return Ok(whole);
+    // First what can be told without solving: how far the other limbs' contacts stretch.
+    let most = along.within_reach(ranges);
+    if let Some(moved) = brought(most) {
+        return Ok(moved);
     }
-    let (mut best, mut good, mut bad) = (plain, 0.0, 1.0);
+    let (mut best, mut good, mut bad) = (plain, 0.0, most);
     for _ in 0..HALVINGS {
+        if bad - good < 1e-3 {
+            break;
+        }
         let middle = 0.5 * (good + bad);
         match brought(middle) {
             Some(moved) => (best, good) = (moved, middle),
@@ -75,7 +80,7 @@ pub fn reach_with(
     Ok(best)
 }
 
-/// Halvings in search of how much can be brought along: to a ten-thousandth of it.
+/// The most halvings in search of how much can be brought along; with solving, a thousandth of it is enough.
 const HALVINGS: usize = 14;
 
 /// As [`turn`] with the collar brought along by its arm's root.
@@ -160,6 +165,40 @@ impl<'a> Along<'a> {
         let spine = Spine::of(figure).ok().filter(|_| lean != DVec3::ZERO);
         let any = girdle.is_some() || spine.is_some();
         any.then_some(Along { figure, before, limb, target, girdle, spine, lean: lean * share })
+    }
+
+    /// The largest share with which every other limb's hold in the world stays as near as the limb is long.
+    fn within_reach(&self, ranges: bool) -> f64 {
+        let was = frames(self.figure, self.before);
+        let holds: Vec<(Limb, DVec3, f64)> =
+            Limb::ALL.into_iter().filter_map(|limb| self.hold(limb, &was)).collect();
+        let within = |share: f64| {
+            let now = self.brought(share, ranges).map(|pose| frames(self.figure, &pose));
+            let near = |now: &Frames| {
+                holds.iter().all(|(limb, at, far)| now[limb.parts().root].position.distance(*at) <= *far)
+            };
+            now.as_ref().is_some_and(near)
+        };
+        if holds.is_empty() || within(1.0) {
+            return 1.0;
+        }
+        let (mut good, mut bad) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (good + bad);
+            if within(middle) { good = middle } else { bad = middle }
+        }
+        good
+    }
+
+    /// Where another limb holds on in the world, the point about which it elevates, and how far its root may be from it;
+    /// a limb that is stretched already may stay so.
+    fn hold(&self, limb: Limb, frames: &Frames) -> Option<(Limb, DVec3, f64)> {
+        let (Space::World, _) = self.before.limb(limb).contact.target()? else { return None };
+        let rig = self.figure.limbs.get(limb).filter(|_| limb.is_arm() && limb != self.limb)?;
+        let about = rig.about(self.figure, self.before);
+        let in_limb = rig.kin.articulator(&rig.state(self.figure, self.before), about);
+        let at = frames[rig.base].point(rig.point_in_base(in_limb));
+        Some((limb, at, rig.kin.reach(about).1.max(in_limb.length())))
     }
 
     /// The pose with a share of all that is to be brought along.
