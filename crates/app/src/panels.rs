@@ -10,6 +10,7 @@ mod joints;
 mod limb;
 mod lock;
 mod overview;
+mod percent;
 mod point;
 mod row;
 mod section;
@@ -38,12 +39,16 @@ pub struct Panels {
     reveal_row: bool,
     overview: Overview,
     tree: Tree,
+    /// The map or tree, while it has the keyboard because it was clicked.
+    clicked: Option<egui::Id>,
     /// How much of a handshape a click takes on, 0 to 1, left and right.
     shape_amount: [f64; 2],
     /// How far ahead the point lies that the eyes look at, metres.
     gaze_m: f64,
     /// What of each limb's reach the picture shows.
     guides: Guides,
+    /// Whether the picture shows the centre of mass over the soles.
+    balance_marks: bool,
 }
 
 impl Default for Panels {
@@ -59,9 +64,11 @@ impl Default for Panels {
             reveal_row: false,
             overview: Overview::default(),
             tree: Tree::default(),
+            clicked: None,
             shape_amount: [1.0; 2],
             gaze_m: 1.0,
             guides: Guides::default(),
+            balance_marks: false,
         }
     }
 }
@@ -92,9 +99,24 @@ impl Panels {
         self.guides.set(limb, guide, on);
     }
 
+    /// Whether the picture shows the centre of mass over the soles.
+    pub fn balance_marks(&self) -> bool {
+        self.balance_marks
+    }
+
+    /// Shows or hides the centre of mass over the soles.
+    pub fn set_balance_marks(&mut self, on: bool) {
+        self.balance_marks = on;
+    }
+
     /// Marks the bone whose skin the pointer is on.
     pub fn light(&mut self, bone: Option<Bone>) {
         self.lit = bone;
+    }
+
+    /// The bone that is marked because the pointer is on its skin.
+    pub fn lit(&self) -> Option<Bone> {
+        self.lit
     }
 
     /// Chooses a bone alone, or nothing; its section opens and scrolls to it.
@@ -120,6 +142,18 @@ impl Panels {
         }
     }
 
+    /// Whether map or tree have the keyboard because they were clicked: then Tab means the next joint, as it does on the
+    /// picture. Reached by Tab itself, they let it go on to the next control.
+    pub fn is_clicked_on(&self, ctx: &egui::Context) -> bool {
+        self.clicked.is_some() && self.clicked == ctx.memory(egui::Memory::focused)
+    }
+
+    /// Gives map or tree the keyboard for a click.
+    fn click_on(&mut self, response: &egui::Response) {
+        response.request_focus();
+        self.clicked = Some(response.id);
+    }
+
     /// Shows the body map, the tree of joints, or neither.
     pub fn set_overview(&mut self, overview: Overview) {
         self.overview = overview;
@@ -133,6 +167,9 @@ impl Panels {
     /// Shows the panel; returns what was asked for.
     pub fn show(&mut self, ui: &mut Ui, editor: &Editor) -> Vec<Request> {
         self.hinted = None;
+        if !self.is_clicked_on(ui.ctx()) {
+            self.clicked = None;
+        }
         let mut sheet = Sheet { editor, panels: self, requests: Vec::new() };
         sheet.overview(ui);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {

@@ -5,6 +5,7 @@
 
 mod axis_ball;
 pub mod backdrop;
+pub mod balance;
 mod drawing;
 mod framed;
 mod guides;
@@ -46,6 +47,8 @@ pub struct Viewport {
     pub backdrop: Backdrop,
     /// What of each limb's reach is shown.
     pub guides: Guides,
+    /// Whether the centre of mass over the soles is shown.
+    pub balance: bool,
     /// What the pointer does to the figure.
     hands: Hands,
     /// What it does to the view.
@@ -87,6 +90,7 @@ impl Default for Viewport {
             side_view: false,
             backdrop: Backdrop::default(),
             guides: Guides::default(),
+            balance: false,
             hands: Hands::default(),
             navigator: Navigator::default(),
             unframed: true,
@@ -216,6 +220,9 @@ impl Viewport {
         let mut drawing = Drawing::new(self.sight(), scale);
         marks::draw(&mut drawing, editor, selection, lit.as_slice(), self.marks);
         guides::draw(&mut drawing, editor, &self.guides);
+        if self.balance {
+            balance::draw(&mut drawing, editor);
+        }
         let Drawing { mut overlay, words, sight, .. } = drawing;
         if let Some((first, axes)) = self.hands.guides() {
             marks::axes(&mut overlay, first, &axes, self.camera.distance, scale);
