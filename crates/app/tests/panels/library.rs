@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-use app::library::{Folders, Library};
+use app::library::Folders;
 use app::{Session, apply_theme, load};
 use edit::Editor;
 use egui::{Key, Modifiers, Pos2, vec2};
@@ -24,7 +24,7 @@ fn portraits() -> PathBuf {
     let drawn = DRAWN.get_or_init(|| {
         let folder = home();
         let mut hand = window(Folders { own: None, cache: Some(folder.path().to_owned()) });
-        wait(&mut hand, "the portraits", |hand| hand.state().library.is_settled());
+        wait(&mut hand, "the portraits", |hand| hand.state().library().is_settled());
         folder
     });
     drawn.path().to_owned()
@@ -33,15 +33,15 @@ fn portraits() -> PathBuf {
 /// A window with the library open on the user's folder in `home`.
 fn library(home: &Path) -> Hand {
     let mut hand = window(Folders { own: Some(home.join("poses")), cache: Some(portraits()) });
-    wait(&mut hand, "the portraits", |hand| hand.state().library.is_settled());
+    wait(&mut hand, "the portraits", |hand| hand.state().library().is_settled());
     hand
 }
 
 fn window(folders: Folders) -> Hand {
     let mut session = Session::new(Editor::new(load::figure(None).unwrap()), None);
-    session.library = Library::new(folders);
+    session.use_library(folders);
     let mut hand = Harness::builder()
-        .with_size(vec2(1400.0, 2400.0))
+        .with_size(vec2(1400.0, 3800.0))
         .with_pixels_per_point(1.0)
         .with_step_dt(0.05)
         // Each portrait that is ready asks for a frame.
@@ -271,41 +271,41 @@ fn the_pose_is_added_renamed_and_put_aside() {
     let mut hand = library(home.path());
     click(&mut hand, THINKER);
     click(&mut hand, "Save current pose to the library…");
-    type_text(&mut hand, "Bow");
+    type_text(&mut hand, "Curtsy");
     enter(&mut hand);
-    assert!(titles(&hand).contains(&"Bow".to_owned()), "{:?}", hand.state().status());
-    let file = home.path().join("poses/Bow.pose.ron");
+    assert!(titles(&hand).contains(&"Curtsy".to_owned()), "{:?}", hand.state().status());
+    let file = home.path().join("poses/Curtsy.pose.ron");
     let saved = rig::parse_pose(&std::fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!(saved.joints[&Bone::Head], pose(&hand).angles(Bone::Head));
     undo(&mut hand);
-    click(&mut hand, "Pose Bow");
+    click(&mut hand, "Pose Curtsy");
     assert_eq!(pose(&hand).angles(Bone::Head), saved.joints[&Bone::Head]);
 
     for _ in 0..2 {
-        hand.get_by_label("Name Bow").click();
+        hand.get_by_label("Name Curtsy").click();
         hand.step();
     }
     hand.run();
     hand.get_by_label("New name");
-    type_text(&mut hand, "Deep bow");
+    type_text(&mut hand, "Deep curtsy");
     enter(&mut hand);
     let shown = titles(&hand);
-    assert!(shown.contains(&"Deep bow".to_owned()) && !shown.contains(&"Bow".to_owned()), "{shown:?}");
-    assert!(!file.exists() && home.path().join("poses/Deep bow.pose.ron").exists());
+    assert!(shown.contains(&"Deep curtsy".to_owned()) && !shown.contains(&"Curtsy".to_owned()), "{shown:?}");
+    assert!(!file.exists() && home.path().join("poses/Deep curtsy.pose.ron").exists());
 
-    hand.get_by_label("Pose Deep bow").focus();
+    hand.get_by_label("Pose Deep curtsy").focus();
     hand.run();
     hand.key_press(Key::Delete);
     hand.run();
-    click(&mut hand, "Keep Deep bow");
-    assert!(titles(&hand).contains(&"Deep bow".to_owned()));
-    hand.get_by_label("Pose Deep bow").focus();
+    click(&mut hand, "Keep Deep curtsy");
+    assert!(titles(&hand).contains(&"Deep curtsy".to_owned()));
+    hand.get_by_label("Pose Deep curtsy").focus();
     hand.run();
     hand.key_press(Key::Delete);
     hand.run();
-    click(&mut hand, "Delete Deep bow");
-    assert!(!titles(&hand).contains(&"Deep bow".to_owned()));
-    assert!(home.path().join("poses/trash/Deep bow.pose.ron").exists(), "nothing is lost");
+    click(&mut hand, "Delete Deep curtsy");
+    assert!(!titles(&hand).contains(&"Deep curtsy".to_owned()));
+    assert!(home.path().join("poses/trash/Deep curtsy.pose.ron").exists(), "nothing is lost");
 }
 
 #[test]
@@ -313,16 +313,16 @@ fn a_name_that_is_taken_is_told_and_nothing_is_overwritten() {
     let home = home();
     let poses = home.path().join("poses");
     std::fs::create_dir(&poses).unwrap();
-    std::fs::write(poses.join("Bow.pose.ron"), "(version: 1)").unwrap();
+    std::fs::write(poses.join("Curtsy.pose.ron"), "(version: 1)").unwrap();
     let mut hand = library(home.path());
-    for taken in ["bow", "THINKER", "a/b"] {
+    for taken in ["curtsy", "THINKER", "a/b"] {
         click(&mut hand, "Save current pose to the library…");
         type_text(&mut hand, taken);
         enter(&mut hand);
         assert!(hand.state().status().fault, "{taken}: {:?}", hand.state().status());
         click(&mut hand, "Add no pose");
     }
-    assert_eq!(std::fs::read_to_string(poses.join("Bow.pose.ron")).unwrap(), "(version: 1)");
+    assert_eq!(std::fs::read_to_string(poses.join("Curtsy.pose.ron")).unwrap(), "(version: 1)");
     assert_eq!(std::fs::read_dir(&poses).unwrap().count(), 1);
 }
 
@@ -370,7 +370,7 @@ fn portraits_are_drawn_beside_with_progress_and_kept() {
     let all = titles(&hand).len();
     wait(&mut hand, "the first portraits", |hand| hand.query_by_label_contains("Drawing:").is_some());
     hand.get_by_label_contains(&format!(" of {all}"));
-    wait(&mut hand, "the portraits", |hand| hand.state().library.is_settled());
+    wait(&mut hand, "the portraits", |hand| hand.state().library().is_settled());
     hand.run();
     assert!(hand.query_by_label_contains("Drawing:").is_none());
     hand.get_by_label(&format!("{all} poses"));
@@ -385,7 +385,7 @@ fn portraits_are_drawn_beside_with_progress_and_kept() {
     assert_eq!(first.len(), all);
     drop(hand);
     let mut again = window(folders());
-    wait(&mut again, "the kept portraits", |hand| hand.state().library.is_settled());
+    wait(&mut again, "the kept portraits", |hand| hand.state().library().is_settled());
     assert_eq!(drawn(), first, "they are not drawn again");
 }
 
