@@ -209,10 +209,12 @@ fn shift_slows_and_control_steps() {
     let Reacher::Point(bone, point) = pose(&hand).limb(Limb::LeftArm).reacher else { panic!("not grabbed") };
     hover(&mut hand, start);
     let first = hand.state().editor().evaluation().frames[bone].point(point);
+    // Along an axis there is no surface to come to lie on.
+    hand.key_press(Key::X);
     hand.event(Event::ModifiersChanged(Modifiers::COMMAND));
     hover(&mut hand, start + vec2(-43.0, 31.0));
     let steps = (grabbed(&hand) - first) * 100.0;
-    assert!((steps - steps.round()).length() < 1e-3 && steps.length() > 1.0, "{steps}");
+    assert!((steps - steps.round()).length() < 1e-3 && steps.length() >= 1.0, "{steps}");
     let_go(&mut hand, start + vec2(-43.0, 31.0));
 }
 
