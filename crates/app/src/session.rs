@@ -271,11 +271,16 @@ impl Session {
         self.viewport.hint(self.panels.hinted());
         self.viewport.guides = self.panels.guides();
         self.viewport.balance = self.panels.balance_marks();
+        let hovered = self.viewport.hovered();
         let asked = egui::CentralPanel::no_frame()
             .show(ui, |ui| self.viewport.show(ui, &self.editor, self.panels.selection(), self.software))
             .inner;
         if let Some(how) = asked.chosen {
             self.panels.choose(&self.editor.figure().skeleton, how);
+            ui.ctx().request_repaint();
+        }
+        if self.viewport.hovered() != hovered {
+            // The panel, which marks it as well, has been drawn already.
             ui.ctx().request_repaint();
         }
         self.submit_all(asked.requests);

@@ -28,6 +28,9 @@ impl Sheet<'_> {
         if ui.is_rect_visible(place) {
             self.paint_map(ui, origin, under, canvas.has_focus());
         }
+        if canvas.clicked() {
+            self.panels.click_on(&canvas);
+        }
         if let Some(how) = asked.or_else(|| clicked(ui, &canvas, under)).or_else(|| walked(ui, &canvas)) {
             self.panels.choose(&self.editor.figure().skeleton, how);
         }
@@ -179,10 +182,7 @@ fn clicked(ui: &Ui, canvas: &Response, under: Option<Bone>) -> Option<Choose> {
     if canvas.double_clicked() {
         return under.map(|bone| Choose::Part(bone.part()));
     }
-    canvas.clicked().then(|| {
-        canvas.request_focus();
-        under.map_or(Choose::None, |bone| way_of_click(ui, bone))
-    })
+    canvas.clicked().then(|| under.map_or(Choose::None, |bone| way_of_click(ui, bone)))
 }
 
 /// Arrow keys on the focused map: up and down along the limb, left and right to the same joint beside.

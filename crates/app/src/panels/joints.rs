@@ -36,7 +36,8 @@ impl Sheet<'_> {
         let selected = self.panels.selection.contains(bone);
         if selected {
             ui.painter().rect_filled(columns.whole.expand2(egui::vec2(4.0, 1.0)), 2.0, theme::of(ui).header);
-            if self.panels.reveal && !joint_name.is_empty() {
+            let active = self.panels.selected() == Some(bone);
+            if active && self.panels.reveal && !joint_name.is_empty() {
                 ui.scroll_to_rect(columns.whole.expand(60.0), None);
                 self.panels.reveal = false;
             }

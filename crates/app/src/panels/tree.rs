@@ -147,7 +147,7 @@ impl Sheet<'_> {
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         }
         if response.clicked() {
-            list.request_focus();
+            self.panels.click_on(list);
             self.panels.choose(&self.editor.figure().skeleton, way_of_click(ui, bone));
         }
         response.on_hover_text(bone.name());

@@ -39,11 +39,12 @@ impl Session {
         (!tab || self.is_on_picture(ui)).then_some(action)
     }
 
-    /// Whether keys mean the figure: no control has the keyboard, or the pointer is on the picture.
+    /// Whether keys mean the figure: no control has the keyboard, or the pointer is on the picture, or joints are chosen
+    /// by clicks in the panel.
     fn is_on_picture(&self, ui: &Ui) -> bool {
         let on_picture =
             ui.input(|i| i.pointer.hover_pos()).is_some_and(|at| self.viewport.rect().contains(at));
-        on_picture || ui.memory(|m| m.focused().is_none())
+        on_picture || self.panels.is_clicked_on(ui.ctx()) || ui.memory(|m| m.focused().is_none())
     }
 }
 

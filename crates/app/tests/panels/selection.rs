@@ -156,6 +156,33 @@ fn tab_walks_the_skeleton() {
 }
 
 #[test]
+fn tab_after_a_click_on_the_map_is_the_next_joint_and_goes_through_a_map_that_tab_reached() {
+    let mut hand = at(LEFT_ARM);
+    click(&mut hand, "Left shoulder on the map");
+    press(&mut hand, Key::Tab);
+    assert_eq!(chosen(&hand), [LeftLowerArm]);
+    hand.get_by_label("Neither map nor tree").focus();
+    hand.run();
+    press(&mut hand, Key::Tab);
+    assert!(!hand.get_by_label("Neither map nor tree").is_focused());
+    for _ in 0..3 {
+        press(&mut hand, Key::Tab);
+    }
+    assert_eq!(chosen(&hand), [LeftLowerArm], "Tab goes from control to control");
+}
+
+#[test]
+fn pointing_at_the_figure_marks_its_shape_at_once() {
+    let mut hand = at(LEFT_ARM);
+    let chest = hand.state().editor().evaluation().frames[UpperChest].position;
+    let on_chest = hand.state().viewport.window_of(chest).unwrap() + egui::vec2(6.0, 14.0);
+    hand.hover_at(on_chest);
+    hand.run();
+    let lit = hand.state().viewport.hovered();
+    assert!(lit.is_some() && hand.state().panels.lit() == lit, "{lit:?}");
+}
+
+#[test]
 fn the_tree_lists_unfolds_and_searches() {
     let mut hand = with_tree();
     assert!(hand.query_by_label("Body map").is_none());
