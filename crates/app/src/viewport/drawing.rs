@@ -140,6 +140,9 @@ impl Drawing {
     }
 }
 
+/// Letters are thin: they are this much nearer to white than the strokes of their colour.
+const LIGHTER: f32 = 0.4;
+
 /// Writes the words into the picture's rectangle, each on a dark ground, none over another: the later one moves down.
 pub fn write_words(painter: &Painter, rect: Rect, sight: &Sight, words: &[Words]) {
     let painter = painter.with_clip_rect(rect);
@@ -150,7 +153,8 @@ pub fn write_words(painter: &Painter, rect: Rect, sight: &Sight, words: &[Words]
         if !rect.expand(40.0).contains(middle) {
             continue;
         }
-        let text = painter.layout_no_wrap(words.text.clone(), FontId::proportional(11.5), words.color);
+        let color = words.color.lerp_to_gamma(Color32::WHITE, LIGHTER);
+        let text = painter.layout_no_wrap(words.text.clone(), FontId::proportional(12.0), color);
         let mut place = Align2::CENTER_CENTER.anchor_size(middle, text.size()).expand2(vec2(4.0, 1.0));
         // A place that two limbs share is rare, more than a few words there do not occur.
         for _ in 0..taken.len() {
@@ -159,7 +163,7 @@ pub fn write_words(painter: &Painter, rect: Rect, sight: &Sight, words: &[Words]
         }
         taken.push(place);
         painter.rect_filled(place, 3.0, Color32::from_black_alpha(165));
-        painter.galley(place.min + vec2(4.0, 1.0), text, words.color);
+        painter.galley(place.min + vec2(4.0, 1.0), text, color);
     }
 }
 

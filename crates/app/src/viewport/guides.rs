@@ -303,8 +303,33 @@ fn look(dof: Dof) -> (&'static str, Color, f32) {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
+    use edit::{Command, Hold, Request, Sight};
+    use glam::Vec2;
+    use rig::{Camera, Space, View};
+
     use super::*;
+
+    fn editor() -> Editor {
+        let mut editor = Editor::new(crate::load::figure(None).unwrap());
+        let bend =
+            Command::Turn { joint: Bone::LeftLowerArm, dof: Dof::Flexion, degrees: 60.0, by: edit::By::To };
+        let keep = Command::Keep { limb: Limb::LeftArm, contact: Hold::Point, space: Space::World };
+        for command in [bend, keep] {
+            editor.submit(Request::Do(command), &mut edit::NoFiles).unwrap();
+        }
+        editor
+    }
+
+    fn drawn(editor: &Editor, guides: &[Guide]) -> Drawing {
+        let camera = Camera::default().seen_from(View::ThreeQuarter);
+        let mut drawing = Drawing::new(Sight { camera, size_px: Vec2::new(800.0, 600.0) }, 1.0);
+        let mut on = Guides::default();
+        guides.iter().for_each(|guide| on.set(Limb::LeftArm, *guide, true));
+        draw(&mut drawing, editor, &on);
+        drawing
+    }
 
     #[test]
     fn a_guide_is_switched_by_itself() {
@@ -319,5 +344,34 @@ mod tests {
         }
         guides.set(Limb::RightArm, Guide::Outer, false);
         assert_eq!(guides, Guides::default());
+    }
+
+    #[test]
+    fn each_guide_draws_something_of_its_own() {
+        let editor = editor();
+        let sizes = |guides: &[Guide]| {
+            let d = drawn(&editor, guides);
+            [d.overlay.lines.len(), d.overlay.markers.len(), d.overlay.balls.len(), d.words.len()]
+        };
+        assert_eq!(sizes(&[]), [0; 4]);
+        let sum = Guide::ALL.map(|guide| sizes(&[guide]));
+        assert!(sum.iter().all(|size| *size != [0; 4]), "{sum:?}");
+        let added: [usize; 4] = std::array::from_fn(|i| sum.iter().map(|size| size[i]).sum());
+        assert_eq!(sizes(&Guide::ALL), added, "none hides or changes another");
+    }
+
+    #[test]
+    fn the_balls_are_as_large_as_the_arm_is_when_stretched_and_folded() {
+        let editor = editor();
+        let balls = drawn(&editor, &[Guide::Outer, Guide::Inner]).overlay.balls;
+        let [outer, inner] = balls[..] else { panic!("{balls:?}") };
+        let frames = &editor.evaluation().frames;
+        let shoulder = frames[Bone::LeftUpperArm].position.as_vec3();
+        assert!(outer.center == shoulder && inner.center == shoulder);
+        let straight = Editor::new(editor.figure().clone());
+        let palm = straight.evaluation().limbs[0].articulator;
+        let reach = palm.distance(straight.evaluation().frames[Bone::LeftUpperArm].position) as f32;
+        assert!((outer.radius_m - reach).abs() < 0.01, "{} {reach}", outer.radius_m);
+        assert!(inner.radius_m < 0.4 * outer.radius_m && inner.radius_m > 0.02);
     }
 }
