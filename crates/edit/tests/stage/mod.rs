@@ -54,6 +54,13 @@ impl Table {
         reaction
     }
 
+    /// What a window does at the end of a frame.
+    pub fn look(&mut self) {
+        let stage =
+            Stage { editor: &self.editor, sight: self.sight, selected: self.selected, marks: self.marks };
+        self.hands.look(&stage);
+    }
+
     /// Says whether the editor did it.
     pub fn submit(&mut self, request: Request) -> bool {
         self.editor.submit(request, &mut NoFiles).is_ok()
