@@ -338,5 +338,18 @@ fn both_sides(
             None => {}
         }
     }
+    if let Some(count) = joints_turned(commands) {
+        outcome.message = format!("Turned {count} joints");
+    }
     Ok(Applied { document, outcome })
+}
+
+/// How many joints commands turn that do nothing else; `None` for one joint.
+fn joints_turned(commands: &[Command]) -> Option<usize> {
+    let joint = |command: &Command| match command {
+        Command::Turn { joint, .. } => Some(*joint),
+        _ => None,
+    };
+    let joints: Locks = commands.iter().map(joint).collect::<Option<Locks>>()?;
+    Some(joints.iter().count()).filter(|count| *count > 1)
 }

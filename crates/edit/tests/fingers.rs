@@ -51,7 +51,8 @@ fn a_fist_is_curl_one_and_a_straight_hand_curl_nought() {
         shape(&mut fist, side, "fist");
         assert!((read(&fist, side, None) - 1.0).abs() < 1e-12);
         let commands = curled(&editor, side, None, 1.0);
-        ask(&mut editor, Request::PreviewAll(commands));
+        let told = ask(&mut editor, Request::PreviewAll(commands)).message;
+        assert_eq!(told, "Turned 15 joints");
         ask(&mut editor, Request::Commit);
         assert_eq!(fingers(editor.pose(), side), fingers(fist.pose(), side));
         let commands = curled(&editor, side, None, 0.0);

@@ -40,11 +40,11 @@ pub fn draw(drawing: &mut Drawing, editor: &Editor) {
     let color = if warns { theme::WARNING } else { theme::ACCENT };
     let (pen, center) = (Pen::new(rgba(color, 255), 2.0), editor.evaluation().center_of_mass);
     let ground = DVec3::new(center.x, 0.0, center.z);
-    let lifted = |corner: &DVec3| (*corner + DVec3::Y * LIFT_M).as_vec3();
     if let Some(support) = support(editor) {
-        let corners: Vec<_> = support.outline.iter().map(lifted).collect();
-        drawing.overlay.polygon(&corners, rgba(color, 46), Layer::Tested);
-        for (from, to) in support.outline.iter().zip(support.outline.iter().cycle().skip(1)) {
+        let outline: Vec<DVec3> = support.outline.iter().map(|corner| *corner + DVec3::Y * LIFT_M).collect();
+        let corners: Vec<_> = outline.iter().map(|corner| corner.as_vec3()).collect();
+        drawing.overlay.polygon(&corners, rgba(color, 90), Layer::Tested);
+        for (from, to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
             drawing.line(*from, *to, pen.ghosted());
         }
         if !support.is_balanced() {
@@ -59,7 +59,7 @@ pub fn draw(drawing: &mut Drawing, editor: &Editor) {
 }
 
 /// Above the ground, so that neither hides the other.
-const LIFT_M: f64 = 0.002;
+const LIFT_M: f64 = 0.004;
 
 fn cross() -> Vec<[Vec2; 2]> {
     [Vec2::new(6.0, 6.0), Vec2::new(6.0, -6.0)].map(|v| [v, -v]).to_vec()

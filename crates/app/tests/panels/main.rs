@@ -6,6 +6,7 @@ mod grabbing;
 mod hand;
 mod library;
 mod looks;
+mod mechanics;
 mod parts;
 mod picture;
 mod reaching;
