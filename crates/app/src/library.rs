@@ -163,8 +163,9 @@ impl Library {
         self.scope.show(ui, selected);
         self.manner(ui);
         let parts = self.scope.parts(selected);
+        let count = self.count(&found);
+        self.add(ui, &count, editor, parts.as_deref(), &mut asked);
         self.progress(ui, &found);
-        self.add(ui, editor, parts.as_deref(), &mut asked);
         self.grid(ui, &found, parts.as_deref(), &mut asked);
         self.want(ui, &found, editor.in_gesture());
         asked
@@ -189,6 +190,7 @@ impl Library {
         });
     }
 
+    /// How many poses there are, or how many portraits are drawn; a line grows with them.
     fn progress(&self, ui: &mut Ui, found: &[&Entry]) {
         if let Some(cure) = &self.portraits.no_adapter {
             ui.colored_label(ui.visuals().warn_fg_color, format!("No portraits: {cure}"));
@@ -196,23 +198,24 @@ impl Library {
         }
         let all = found.len().min(portraits::MOST);
         let made = self.portraits.count(found.iter().copied()).min(all);
-        let words = if made < all {
-            format!("Drawing: {made} of {all}")
-        } else {
-            match found.len() {
-                0 => "No pose is found".to_owned(),
-                1 => "1 pose".to_owned(),
-                n => format!("{n} poses"),
-            }
-        };
-        let share = if all == 0 { 1.0 } else { made as f32 / all as f32 };
         let (_, line) = ui.allocate_space(egui::vec2(ui.available_width(), 2.0));
-        if share < 1.0 {
-            let done = egui::Rect::from_min_size(line.min, egui::vec2(line.width() * share, 2.0));
+        if made < all {
+            let done = line.width() * made as f32 / all as f32;
+            let done = egui::Rect::from_min_size(line.min, egui::vec2(done, line.height()));
             ui.painter().rect_filled(line, 1.0, ui.visuals().extreme_bg_color);
             ui.painter().rect_filled(done, 1.0, ui.visuals().hyperlink_color);
         }
-        ui.label(RichText::new(words).small().weak());
+    }
+
+    fn count(&self, found: &[&Entry]) -> String {
+        let all = found.len().min(portraits::MOST);
+        let made = self.portraits.count(found.iter().copied()).min(all);
+        match found.len() {
+            0 => "No pose is found".to_owned(),
+            _ if made < all && self.portraits.no_adapter.is_none() => format!("Drawing: {made} of {all}"),
+            1 => "1 pose".to_owned(),
+            n => format!("{n} poses"),
+        }
     }
 
     fn grid(&mut self, ui: &mut Ui, found: &[&Entry], parts: Option<&[Part]>, asked: &mut Asked) {
@@ -289,8 +292,8 @@ impl Library {
     }
 
     /// The pose as it is now, into the user's folder.
-    fn add(&mut self, ui: &mut Ui, editor: &Editor, parts: Option<&[Part]>, asked: &mut Asked) {
-        let Some(name) = self.making.add(ui, self.own_folder.is_some(), parts) else { return };
+    fn add(&mut self, ui: &mut Ui, count: &str, editor: &Editor, parts: Option<&[Part]>, asked: &mut Asked) {
+        let Some(name) = self.making.add(ui, self.own_folder.is_some(), count, parts) else { return };
         let (Some(own), Some(parts)) = (&self.own_folder, parts) else { return };
         let text = rig::write_parts(editor.figure(), editor.pose(), parts);
         let taken = self.entries.iter().map(|e| e.title.as_str());

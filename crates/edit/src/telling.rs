@@ -60,7 +60,12 @@ impl Command {
             Command::AimSpine { .. } => "Aimed the spine".to_owned(),
             Command::LookAt { .. } => "Looked".to_owned(),
             Command::Handshape { side, name, .. } => format!("{side:?} hand: {name}"),
-            Command::ApplyPose { path, .. } => format!("Applied {path}"),
+            Command::ApplyPose { path, amount, .. } if *amount == 1.0 => {
+                format!("Applied {}", pose_name(path))
+            }
+            Command::ApplyPose { path, amount, .. } => {
+                format!("Blended {:.0} % of {}", amount * 100.0, pose_name(path))
+            }
             Command::Mirror { .. } => "Mirrored".to_owned(),
             Command::Reset { .. } => "Reset to rest".to_owned(),
             Command::Ranges { on } => format!("Ranges {}", if *on { "on" } else { "off" }),
@@ -72,6 +77,12 @@ impl Command {
     pub fn text(&self) -> String {
         ron::to_string(self).unwrap_or_default()
     }
+}
+
+/// A pose file without its folder and its ending: "thinker".
+fn pose_name(path: &str) -> &str {
+    let file = path.rsplit(['/', '\\', ':']).next().unwrap_or(path);
+    file.strip_suffix(".pose.ron").unwrap_or(file)
 }
 
 /// A bone's or limb's name as words: "leftUpperArm" is "left upper arm".

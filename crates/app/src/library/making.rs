@@ -95,16 +95,20 @@ impl Making {
         }
     }
 
-    /// The button that adds a pose, or the field for its name; the name when it is to be saved.
-    pub fn add(&mut self, ui: &mut Ui, folder: bool, parts: Option<&[Part]>) -> Option<String> {
+    /// The button that adds a pose with `count` beside it, or the field for its name; the name when it is to be saved.
+    pub fn add(&mut self, ui: &mut Ui, folder: bool, count: &str, parts: Option<&[Part]>) -> Option<String> {
         if self.task != Task::Add {
-            let button = egui::Button::new("Save current pose to the library…")
-                .min_size(egui::vec2(ui.available_width(), 24.0));
-            let tip = "As a file in your own folder; what is chosen above is saved, all or some parts";
-            let enabled = folder && parts.is_some();
-            if ui.add_enabled(enabled, button).on_hover_text(tip).clicked() {
-                *self = Making { task: Task::Add, fresh: true, ..Making::default() };
-            }
+            ui.horizontal(|ui| {
+                let tip = "As a file in your own folder; what is chosen above is saved, all or some parts";
+                let button = ui.add_enabled(folder && parts.is_some(), egui::Button::new("Save pose…"));
+                let button = button.on_hover_text(tip).accessible_name("Save current pose to the library…");
+                if button.clicked() {
+                    *self = Making { task: Task::Add, fresh: true, ..Making::default() };
+                }
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    ui.label(RichText::new(count).small().weak());
+                });
+            });
             return None;
         }
         let mut name = None;

@@ -15,6 +15,9 @@ pub const SIZE: [u32; 2] = [240, 300];
 /// How far skin reaches from its joints, metres.
 const FLESH_M: f32 = 0.09;
 
+/// Over so many pixels from either side a portrait becomes clear.
+const FADE_PX: f32 = 24.0;
+
 /// Opens a device of its own, so that a portrait never waits for the window or the window for it.
 pub type Opener = fn() -> Result<Gpu, Failure>;
 
@@ -56,7 +59,21 @@ impl Studio {
         let marks = if figure.skin.is_none() { bones(figure, &evaluation) } else { Overlay::default() };
         let look = Look { transparent: true, ..Look::default() };
         let scene = Scene { look, overlay: &marks, ..Scene::new(drawn, camera, SIZE) };
-        self.renderer.image(&scene).map_err(|e| e.to_string())
+        let mut image = self.renderer.image(&scene).map_err(|e| e.to_string())?;
+        fade(&mut image);
+        Ok(image)
+    }
+}
+
+/// Lets a shadow that leaves the picture at a side run out instead of being cut off.
+fn fade(image: &mut Image) {
+    let width = image.width as usize;
+    for (i, pixel) in image.rgba.chunks_exact_mut(4).enumerate() {
+        let x = i % width.max(1);
+        let from_side = x.min(width - 1 - x) as f32 / FADE_PX;
+        if from_side < 1.0 {
+            pixel[3] = (f32::from(pixel[3]) * from_side).round() as u8;
+        }
     }
 }
 

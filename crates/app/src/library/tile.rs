@@ -338,18 +338,19 @@ fn question(ui: &mut Ui, rect: Rect, entry: &Entry, making: &mut Making) -> Opti
     let mut deed = None;
     let mut keep = ui.input(|i| i.key_pressed(Key::Escape));
     ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
-        ui.vertical_centered_justified(|ui| {
+        ui.vertical_centered(|ui| {
+            let button = |text: &str| egui::Button::new(text.to_owned()).min_size(vec2(80.0, 24.0));
             ui.add_space(12.0);
-            ui.colored_label(Color32::WHITE, "Move it to the trash?");
+            ui.colored_label(Color32::WHITE, "Move to the trash?");
             ui.add_space(6.0);
-            let delete = ui.button("Delete").accessible_name(format!("Delete {}", entry.title));
+            let delete = ui.add(button("Delete")).accessible_name(format!("Delete {}", entry.title));
             if making.take_fresh() {
                 delete.request_focus();
             }
             if delete.clicked() {
                 deed = Some(Deed::Remove);
             }
-            keep |= ui.button("Keep").accessible_name(format!("Keep {}", entry.title)).clicked();
+            keep |= ui.add(button("Keep")).accessible_name(format!("Keep {}", entry.title)).clicked();
         });
     });
     if keep && deed.is_none() {
