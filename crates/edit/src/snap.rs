@@ -75,7 +75,7 @@ impl Surfaces {
             limits: reach_limits(figure, &reaching, &frames, limb, ranges),
             frames,
             palette,
-            counts: Bone::ALL.map(|bone| holds_on_to(pose, limb, bone)),
+            counts: holdable(pose, limb),
             clearance_m: [depth, over_ground(figure, limb, at).unwrap_or(depth)],
         }
     }
@@ -145,7 +145,8 @@ pub fn nearest_space(
     let rest = Bone::ALL.map(|bone| figure.skeleton.rest_position(bone));
     let palette = Palette::new(&evaluation.frames, &rest);
     let within = TOUCH_M + depth((mesh, picker), &palette, limb, at.bone, here);
-    let near = picker.nearest_of(mesh, &palette, here, within, |bone| holds_on_to(pose, limb, bone));
+    let counts = holdable(pose, limb);
+    let near = picker.nearest_of(mesh, &palette, here, within, |bone| counts[bone.index()]);
     near.map_or(Space::World, |near| Space::Body(near.bone))
 }
 
@@ -157,15 +158,15 @@ fn hold(contact: &Contact) -> Hold {
     }
 }
 
-/// Whether a limb may hold on to a bone: not to itself, nor to a limb that holds on to it.
-fn holds_on_to(pose: &Pose, limb: Limb, bone: Bone) -> bool {
-    let Some(other) = Limb::of(bone) else { return true };
-    if other == limb {
-        return false;
-    }
-    let mut held = pose.clone();
-    held.limbs[limb.index()].contact = Contact::Point { space: Space::Body(bone), target: DVec3::ZERO };
-    contact_order(&held).is_ok()
+/// By [`Bone::index`], whether a limb may hold on to a bone: not to itself, nor to a limb that holds on to it.
+fn holdable(pose: &Pose, limb: Limb) -> [bool; Bone::COUNT] {
+    let limbs = Limb::ALL.map(|other| {
+        let mut held = pose.clone();
+        let space = Space::Body(other.parts().end);
+        held.limbs[limb.index()].contact = Contact::Point { space, target: DVec3::ZERO };
+        other != limb && contact_order(&held).is_ok()
+    });
+    Bone::ALL.map(|bone| Limb::of(bone).is_none_or(|other| limbs[other.index()]))
 }
 
 /// How far below its own skin a point of a limb lies, metres; 0 on the skin and outside of it.

@@ -4,7 +4,7 @@
 use edit::{Axis, Editor, Selection, marked_joints};
 use glam::{DVec3, Vec2};
 use render::{Layer, Overlay};
-use rig::{Bone, Contact, Limb, Reacher};
+use rig::{Bone, Contact, Limb};
 
 use super::drawing::{Drawing, Pen, circle_strokes, rgba};
 use crate::{reaching, theme};
@@ -21,17 +21,6 @@ pub fn draw(drawing: &mut Drawing, editor: &Editor, selection: &Selection, lit: 
         joints(drawing, editor, selection, lit);
         for limb in Limb::ALL {
             contact(drawing, editor, limb);
-        }
-    }
-}
-
-/// The bone that carries a limb's articulator; the end if the figure doesn't know the articulator.
-pub fn reaching_bone(editor: &Editor, limb: Limb) -> Bone {
-    match &editor.pose().limb(limb).reacher {
-        Reacher::Point(bone, _) => *bone,
-        Reacher::Named(name) => {
-            let known = editor.figure().articulators[limb.index()].get(name);
-            known.map_or(limb.parts().end, |articulator| articulator.bone)
         }
     }
 }
