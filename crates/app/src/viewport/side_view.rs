@@ -1,9 +1,9 @@
 //! A second, small picture of the same figure, seen from 90° to the side, so that depth needs no turn of the view.
 
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use edit::{Editor, Selection, Sight, Stage};
-use egui::{
-    Align2, Color32, FontId, Id, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
-};
+use egui::{Align2, FontId, Id, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 use glam::{DVec3, Vec2};
 use rig::{Camera, Projection};
 
@@ -16,6 +16,8 @@ const SHARE: f32 = 0.28;
 const SHAPE: f32 = 1.05;
 const INSET: f32 = 12.0;
 const TITLE: f32 = 22.0;
+/// From so far to the figure's left on, the small picture is seen from its right.
+const LEAST_YAW_RAD: f32 = 0.26;
 
 /// The small picture: where it is, and which camera it has.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -107,10 +109,10 @@ impl Viewport {
         let edge = ui.visuals().window_stroke.color;
         painter.rect_stroke(side.rect, 2.0, Stroke::new(1.0, edge), StrokeKind::Outside);
         let title = Rect::from_min_size(side.rect.min, vec2(side.rect.width(), TITLE));
-        painter.rect_filled(title, 0.0, Color32::from_black_alpha(120));
+        painter.rect_filled(title, 0.0, ui.visuals().window_fill.gamma_multiply(0.85));
         let at = title.left_center() + vec2(8.0, 0.0);
         let font = FontId::proportional(12.0);
-        painter.text(at, Align2::LEFT_CENTER, title_of(&side.camera), font, Color32::from_gray(230));
+        painter.text(at, Align2::LEFT_CENTER, title_of(&side.camera), font, ui.visuals().text_color());
         if close_button(ui, title) {
             self.side_view = false;
             ui.ctx().request_repaint();
@@ -118,10 +120,12 @@ impl Viewport {
     }
 }
 
-/// From the main camera's right, level, without perspective, at the same scale.
+/// From the side of the main camera that sees more of the figure's front, level, without perspective, at the same scale.
 fn side_camera(main: &Camera) -> Camera {
     let mut camera = Camera { pitch_rad: 0.0, projection: Projection::Orthographic, ..*main };
-    camera.orbit(std::f32::consts::FRAC_PI_2, 0.0);
+    // Not at zero, about which one turns most: the small picture would jump there.
+    let side = if main.yaw_rad > LEAST_YAW_RAD { -FRAC_PI_2 } else { FRAC_PI_2 };
+    camera.orbit(side, 0.0);
     camera
 }
 
@@ -137,7 +141,7 @@ fn title_of(camera: &Camera) -> &'static str {
         "From the right",
         "From the front right",
     ];
-    let eighth = (camera.yaw_rad / std::f32::consts::FRAC_PI_4).round().rem_euclid(8.0);
+    let eighth = (camera.yaw_rad / FRAC_PI_4).round().rem_euclid(8.0);
     SIDES[eighth as usize % 8]
 }
 
@@ -146,7 +150,7 @@ fn close_button(ui: &Ui, title: Rect) -> bool {
     let response = ui.interact(rect, Id::unique("close second view"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close the second view"));
     let lit = response.hovered() || response.has_focus();
-    let color = if lit { Color32::WHITE } else { Color32::from_gray(190) };
+    let color = if lit { ui.visuals().strong_text_color() } else { ui.visuals().text_color() };
     let (at, arm) = (rect.center(), 4.0);
     for diagonal in [vec2(arm, arm), vec2(arm, -arm)] {
         ui.painter().line_segment([at - diagonal, at + diagonal], Stroke::new(1.5, color));
@@ -164,17 +168,17 @@ mod tests {
     fn the_side_looks_across_the_view_and_says_from_where() {
         for (view, title) in [
             (View::Front, "From the left"),
-            (View::Left, "From the back"),
-            (View::Back, "From the right"),
+            (View::Left, "From the front"),
+            (View::Back, "From the left"),
             (View::Right, "From the front"),
             (View::Top, "From the left"),
         ] {
             let main = Camera::default().seen_from(view);
             let side = side_camera(&main);
-            assert!((side.axes().z_axis - main.axes().x_axis).length() < 1e-5, "{view}");
+            assert!((side.axes().z_axis.dot(main.axes().x_axis).abs() - 1.0).abs() < 1e-5, "{view}");
             assert_eq!((title_of(&side), side.target), (title, main.target));
         }
         let main = Camera::default().seen_from(View::ThreeQuarter);
-        assert_eq!(title_of(&side_camera(&main)), "From the back left");
+        assert_eq!(title_of(&side_camera(&main)), "From the front right");
     }
 }

@@ -206,5 +206,11 @@ fn a_background_image_is_behind_the_figure_and_the_light_look_is_light() {
     hand.state_mut().viewport.backdrop.clear();
     hand.run();
     assert_eq!(seen(&mut hand, air), dark);
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::Comma);
+    hand.run();
+    for label in ["Light", "Close"] {
+        click(&mut hand, label);
+    }
+    assert!(seen(&mut hand, air)[1] > dark[1] + 80, "{dark:?}");
     std::fs::remove_dir_all(&folder).unwrap();
 }
