@@ -19,7 +19,7 @@ mod tree;
 
 use edit::{Choose, Command, Editor, Request, Selection};
 use egui::{ScrollArea, Ui};
-use rig::{Bone, Contact, Limb, Part, Side, Skeleton};
+use rig::{Bone, Contact, Limb, Part, Side, Skeleton, Space};
 
 use crate::rail::Change;
 use crate::viewport::{Guide, Guides};
@@ -47,6 +47,8 @@ pub struct Panels {
     gaze_m: f64,
     /// What of each limb's reach the picture shows.
     guides: Guides,
+    /// What each limb takes hold of where it is.
+    touching: [Space; Limb::ALL.len()],
     /// Whether the picture shows the centre of mass over the soles.
     balance_marks: bool,
 }
@@ -68,6 +70,7 @@ impl Default for Panels {
             shape_amount: [1.0; 2],
             gaze_m: 1.0,
             guides: Guides::default(),
+            touching: [Space::World; Limb::ALL.len()],
             balance_marks: false,
         }
     }
@@ -92,6 +95,11 @@ impl Panels {
     /// What of each limb's reach the picture shows.
     pub fn guides(&self) -> Guides {
         self.guides
+    }
+
+    /// Takes note of what each limb touches: what it holds on to when it takes hold.
+    pub fn touch(&mut self, touching: [Space; Limb::ALL.len()]) {
+        self.touching = touching;
     }
 
     /// Shows or hides a guide to a limb's reach.

@@ -251,6 +251,9 @@ impl Session {
         let fill = theme::of(ui).panel;
         let frame = egui::Frame::new().fill(fill).inner_margin(egui::Margin::symmetric(6, 6));
         self.panels.light(self.viewport.hovered());
+        if !self.editor.in_gesture() {
+            self.panels.touch(self.viewport.nearest_spaces(&self.editor));
+        }
         let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
         self.submit_all(requests);
     }
@@ -306,6 +309,7 @@ impl Session {
         let keys = self.keymap.clone();
         let answer = self.dialogs.show(ui.ctx(), &mut self.settings, &mut self.viewport, &mut self.keymap);
         if keys != self.keymap {
+            self.viewport.keymap = self.keymap.clone();
             self.keep_keys();
         }
         if let Some(answer) = answer {

@@ -28,6 +28,7 @@ pub use guides::{Guide, Guides};
 use picture::Picture;
 pub use picture::install;
 
+use crate::keymap::Keymap;
 use crate::labels;
 
 /// How the figure is looked at, and the gesture in the picture.
@@ -39,6 +40,8 @@ pub struct Viewport {
     pub marks: bool,
     /// Whose habits looking around follows.
     pub preset: Preset,
+    /// Which keys count while something is held.
+    pub keymap: Keymap,
     /// Width and height of the pictures that the picture camera takes, pixels.
     pub picture_size: [u32; 2],
     /// Whether the small second picture is shown.
@@ -47,6 +50,8 @@ pub struct Viewport {
     pub backdrop: Backdrop,
     /// What of each limb's reach is shown.
     pub guides: Guides,
+    /// What each limb touches, and at which revision.
+    touching: Option<(u64, [Space; Limb::ALL.len()])>,
     /// Whether the centre of mass over the soles is shown.
     pub balance: bool,
     /// What the pointer does to the figure.
@@ -86,10 +91,12 @@ impl Default for Viewport {
             camera: Camera::default().seen_from(View::ThreeQuarter),
             marks: true,
             preset: Preset::default(),
+            keymap: Keymap::default(),
             picture_size: [1280, 800],
             side_view: false,
             backdrop: Backdrop::default(),
             guides: Guides::default(),
+            touching: None,
             balance: false,
             hands: Hands::default(),
             navigator: Navigator::default(),
@@ -165,6 +172,18 @@ impl Viewport {
     pub fn nearest_space(&mut self, editor: &Editor, limb: Limb) -> Space {
         let picker = self.hands.skin(editor).picker();
         edit::nearest_space(editor.figure(), editor.pose(), editor.evaluation(), picker, limb)
+    }
+
+    /// As [`Viewport::nearest_space`] for every limb, worked out once for a pose.
+    pub fn nearest_spaces(&mut self, editor: &Editor) -> [Space; Limb::ALL.len()] {
+        match self.touching {
+            Some((revision, spaces)) if revision == editor.revision() => spaces,
+            _ => {
+                let spaces = Limb::ALL.map(|limb| self.nearest_space(editor, limb));
+                self.touching = Some((editor.revision(), spaces));
+                spaces
+            }
+        }
     }
 
     /// Fits the camera when the picture is next shown and its shape is known.

@@ -76,7 +76,7 @@ impl Sheet<'_> {
         row::text(ui, columns.joint, "Contact", Ink::Plain);
         let state = self.editor.pose().limb(limb).contact;
         let (hold, space) = match state {
-            Contact::Free => (Hold::Free, Space::World),
+            Contact::Free => (Hold::Free, self.panels.touching[limb.index()]),
             Contact::Point { space, .. } => (Hold::Point, space),
             Contact::Planted { space, .. } => (Hold::Planted, space),
         };

@@ -55,6 +55,10 @@ fn p_with_a_fingertip_on_the_face_holds_on_to_the_head() {
     press_p(&mut hand);
     let space = contact(&hand, Limb::LeftArm).target().map(|(space, _)| space);
     assert!(matches!(space, Some(Space::Body(Bone::Head | Bone::Jaw))), "{space:?}");
+    // The button does the same as the key.
+    ask(&mut hand, Command::Keep { limb: Limb::LeftArm, contact: edit::Hold::Free, space: Space::World });
+    click(&mut hand, "Left arm contact · Planted");
+    assert_eq!(contact(&hand, Limb::LeftArm).target().map(|(space, _)| space), space);
     // A foot that stands holds on to the ground.
     hand.state_mut().panels.select(Some(Bone::RightFoot));
     press_p(&mut hand);
