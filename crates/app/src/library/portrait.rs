@@ -54,13 +54,16 @@ impl Studio {
         let figures = [FigureView::new(&palette)];
         let drawn = if figure.skin.is_some() { &figures[..] } else { &[] };
         let aspect = SIZE[0] as f32 / SIZE[1] as f32;
-        let seen = named_alone(patch, &evaluation).unwrap_or_else(|| bounds(figure, &evaluation));
+        let near = named_alone(patch, &evaluation);
+        let seen = near.unwrap_or_else(|| bounds(figure, &evaluation));
         let camera = Camera::view(View::ThreeQuarter, seen, aspect);
         let marks = if figure.skin.is_none() { bones(figure, &evaluation) } else { Overlay::default() };
         let look = Look { transparent: true, ..Look::default() };
         let scene = Scene { look, overlay: &marks, ..Scene::new(drawn, camera, SIZE) };
         let mut image = self.renderer.image(&scene).map_err(|e| e.to_string())?;
-        fade(&mut image);
+        if near.is_none() {
+            fade(&mut image);
+        }
         Ok(image)
     }
 }
@@ -85,7 +88,9 @@ fn named_alone(patch: &PosePatch, evaluation: &Evaluation) -> Option<Bounds> {
     if !small {
         return None;
     }
-    let named = Bone::ALL.into_iter().filter(|bone| parts.contains(&bone.part()));
+    // A bone that is named carries others along, whose joints are where it ends.
+    let moved = |bone: &Bone| [*bone, bone.carrier()].iter().any(|bone| patch.joints.contains_key(bone));
+    let named = Bone::ALL.into_iter().filter(moved);
     let places = named.map(|bone| evaluation.frames[bone].position.as_vec3());
     let reach = Vec3::splat(FLESH_M);
     Some(Bounds::of(places.flat_map(|place| [place - reach, place + reach])))
