@@ -130,10 +130,8 @@ impl Sheet<'_> {
     }
 
     fn fill(&self, palette: &Palette, bone: Bone, pointed: bool) -> Color32 {
-        let plain = match bone.side() {
-            Some(side) => palette.live.lerp_to_gamma(palette.side(side), 0.16),
-            None => palette.live,
-        };
+        let middle = palette.panel.lerp_to_gamma(palette.text, 0.4);
+        let plain = bone.side().map_or(middle, |side| middle.lerp_to_gamma(palette.side(side), 0.16));
         if self.editor.figure().skeleton.joint(bone).is_none() {
             palette.header
         } else if self.panels.selection.contains(bone) {

@@ -53,6 +53,7 @@ impl Sheet<'_> {
                 let button = egui::Button::selectable(shown, egui::RichText::new(word).size(12.0));
                 if ui.add(button).accessible_name(name).clicked() {
                     self.panels.overview = overview;
+                    self.panels.reveal_row = true;
                 }
             }
         });
