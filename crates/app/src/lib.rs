@@ -26,7 +26,10 @@ mod toolbar;
 mod viewport;
 pub mod window;
 
+pub use action::{Action, Group};
+pub use keymap::{Chord, Keymap};
 pub use panels::{Overview, Panels, Section};
 pub use session::{Session, Status};
+pub use settings::{ConfigFolder, Look, Settings};
 pub use theme::apply as apply_theme;
 pub use viewport::{Guide, Guides, Viewport, install as install_picture};

@@ -97,35 +97,34 @@ impl Rail<'_> {
 
     fn paint(&self, ui: &Ui, response: &Response) {
         let rect = response.rect;
-        let painter = ui.painter();
+        let (painter, palette) = (ui.painter(), theme::of(ui));
         let bar = |from: f32, to: f32, height: f32, color: Color32| {
             let y = rect.center().y;
             let bar = Rect::from_min_max(pos2(from, y - height * 0.5), pos2(to, y + height * 0.5));
             painter.rect_filled(bar, CornerRadius::same(2), color);
         };
-        bar(rect.left(), rect.right(), 4.0, theme::WELL);
+        bar(rect.left(), rect.right(), 4.0, palette.rail);
         for (from, to) in self.live_parts() {
-            bar(self.x_of(rect, from), self.x_of(rect, to), 4.0, theme::LIVE);
+            bar(self.x_of(rect, from), self.x_of(rect, to), 4.0, palette.live);
         }
         let at = self.x_of(rect, self.value);
         let zero = self.x_of(rect, self.rest);
         let inside = self.live.is_none_or(|live| live.excess(self.wrapped(live, self.value)) < 0.05);
-        let color = if inside { theme::ACCENT } else { theme::WARNING };
+        let color = if inside { palette.accent } else { palette.warning };
         bar(at.min(zero), at.max(zero), 4.0, color.gamma_multiply(0.75));
         if self.span.contains(self.rest) {
             let y = rect.center().y;
-            painter.vline(zero, (y - 5.0)..=(y + 5.0), Stroke::new(1.0, Color32::from_gray(120)));
+            painter.vline(zero, (y - 5.0)..=(y + 5.0), Stroke::new(1.0, palette.faint_text));
         }
         let held = response.dragged() || response.has_focus();
         let handle = match (held, response.hovered()) {
-            (true, _) => Color32::WHITE,
-            (false, true) => Color32::from_gray(236),
-            (false, false) => Color32::from_gray(198),
+            (true, _) | (false, true) => palette.strong_text,
+            (false, false) => palette.text,
         };
         let grip = Rect::from_center_size(pos2(at, rect.center().y), vec2(7.0, 14.0));
         painter.rect_filled(grip, CornerRadius::same(2), handle);
         if held {
-            let ring = Stroke::new(1.5, theme::ACCENT);
+            let ring = Stroke::new(1.5, palette.accent);
             painter.rect_stroke(grip.expand(1.5), CornerRadius::same(3), ring, egui::StrokeKind::Outside);
         }
     }

@@ -11,20 +11,8 @@ pub use palette::{DARK, LIGHT, Palette};
 /// What is chosen or under the hand, over the picture, which looks the same in both looks.
 pub const ACCENT: Color32 = DARK.accent;
 
-/// As [`Palette::warning`] of the dark look.
+/// What the figure can't do, over the picture.
 pub const WARNING: Color32 = DARK.warning;
-/// As [`Palette::panel`] of the dark look.
-pub const PANEL: Color32 = DARK.panel;
-/// As [`Palette::header`] of the dark look.
-pub const HEADER: Color32 = DARK.header;
-/// As [`Palette::well`] of the dark look.
-pub const WELL: Color32 = DARK.well;
-/// As [`Palette::live`] of the dark look.
-pub const LIVE: Color32 = DARK.live;
-/// As [`Palette::text`] of the dark look.
-pub const TEXT: Color32 = DARK.text;
-/// As [`Palette::faint_text`] of the dark look.
-pub const FAINT_TEXT: Color32 = DARK.faint_text;
 
 /// The colour of a side, over the picture.
 pub const fn side(side: Side) -> Color32 {

@@ -21,6 +21,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) -> Vec<Action> {
             gap(ui);
             for action in [Action::Ranges, Action::Symmetry, Action::Marks, Action::Library] {
                 switch(ui, session, action, &mut asked);
+                ui.add_space(6.0);
             }
             gap(ui);
             let help = button(ui, session, Action::Help, true, "Help");

@@ -53,7 +53,7 @@ impl Listing {
             return None;
         }
         let mut pick = None;
-        egui::Frame::new().fill(theme::WELL).corner_radius(3.0).inner_margin(4).show(ui, |ui| {
+        egui::Frame::new().fill(theme::of(ui).well).corner_radius(3.0).inner_margin(4).show(ui, |ui| {
             ScrollArea::vertical().max_height(180.0).auto_shrink([false, true]).show(ui, |ui| {
                 for name in &self.names {
                     let row =

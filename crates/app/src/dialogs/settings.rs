@@ -93,7 +93,7 @@ fn size(ui: &mut Ui, settings: &mut Settings) {
             ui.data_mut(|data| data.remove_temp::<f32>(id));
             settings.set_ui_scale(percent / 100.0);
         }
-        if ui.button("100 %").clicked() {
+        if ui.button("Own size").clicked() {
             settings.set_ui_scale(1.0);
         }
     });

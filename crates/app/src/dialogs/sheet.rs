@@ -46,6 +46,8 @@ const GESTURES: [(&str, &[(&str, &str)]); 3] = [
 const FRAME: f32 = 170.0;
 /// A column is not narrower.
 const COLUMN: f32 = 290.0;
+/// The part of a column that keys take at least.
+const KEYS: f32 = 104.0;
 
 /// A heading with its rows: keys, and what they do.
 struct Block {
@@ -70,7 +72,8 @@ impl Dialogs {
         let blocks = blocks(keymap, &self.sought.to_lowercase());
         let room = (ui.ctx().content_rect().height() - FRAME).max(120.0);
         let count = ((ui.available_width() / COLUMN) as usize).clamp(1, 3);
-        ScrollArea::vertical().max_height(room).auto_shrink([false, true]).show(ui, |ui| {
+        let scroll = ScrollArea::vertical().max_height(room).min_scrolled_height(room);
+        scroll.auto_shrink([false, true]).show(ui, |ui| {
             if blocks.is_empty() {
                 ui.label("Nothing has these words.");
             }
@@ -140,9 +143,11 @@ impl Block {
         for (keys, does) in &self.rows {
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
+                let left = ui.cursor().left();
                 for key in keys {
                     keycap::show(ui, key);
                 }
+                ui.add_space((KEYS - (ui.cursor().left() - left)).max(2.0));
                 ui.add(egui::Label::new(RichText::new(does).size(12.5)).wrap());
             });
         }

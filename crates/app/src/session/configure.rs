@@ -3,6 +3,7 @@
 use egui::{Context, Ui};
 
 use super::Session;
+use crate::keymap::Keymap;
 use crate::settings::ConfigFolder;
 use crate::theme;
 
@@ -15,7 +16,7 @@ impl Session {
         self.viewport.marks = settings.marks;
         self.viewport.side_view = settings.second_view;
         self.viewport.preset = settings.navigation;
-        self.keymap = keymap;
+        self.use_keys(keymap);
         self.settings = settings.clone();
         self.config = Some((folder, settings));
         let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
@@ -42,6 +43,12 @@ impl Session {
         *kept = self.settings.clone();
         let saved = folder.save_settings(kept);
         self.tell(saved);
+    }
+
+    /// Takes on other keys.
+    pub(super) fn use_keys(&mut self, keymap: Keymap) {
+        self.viewport.keymap = keymap.clone();
+        self.keymap = keymap;
     }
 
     /// Writes the keys, which have changed.

@@ -92,7 +92,7 @@ pub fn ui(ui: &mut Ui, backdrop: &mut Backdrop) {
         }
     });
     if let Some(fault) = &backdrop.fault {
-        ui.colored_label(theme::WARNING, fault);
+        ui.colored_label(theme::of(ui).warning, fault);
     }
     let mut percent = backdrop.opacity * 100.0;
     let slider = Slider::new(&mut percent, 0.0..=100.0).suffix(" %").fixed_decimals(0).text("Opacity");

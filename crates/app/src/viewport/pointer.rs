@@ -4,11 +4,10 @@ use edit::{Axis, Choose, Constraint, Editor, Event as Did, Mark, Reaction, Selec
 use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 
 use super::{Asked, Viewport};
+use crate::action::Action;
+use crate::keymap::Keymap;
 use crate::labels;
 use crate::panels::way_of_click;
-
-/// While this key is down, the rings of hand, forearm and foot turn about the contact.
-const IN_CONTACT: Key = Key::C;
 
 impl Viewport {
     /// Passes on what pointer and keys did in this frame.
@@ -33,8 +32,8 @@ impl Viewport {
                 asked.chosen = Some(bone.map_or(Choose::None, |bone| way_of_click(ui, bone)));
             }
         };
-        tell(self, Did::Modified(modifiers(ui)));
-        for did in keys(ui, self.hands.holds()) {
+        tell(self, Did::Modified(modifiers(ui, &self.keymap)));
+        for did in keys(ui, self.hands.holds(), &self.keymap) {
             tell(self, did);
         }
         self.buttons(ui, response, &mut tell);
@@ -127,17 +126,17 @@ impl Viewport {
     }
 }
 
-fn modifiers(ui: &Ui) -> edit::Modifiers {
+fn modifiers(ui: &Ui, keymap: &Keymap) -> edit::Modifiers {
     let typing = ui.ctx().text_edit_focused();
     ui.input(|i| {
         let Modifiers { shift, command, alt, .. } = i.modifiers;
-        let in_contact = i.key_down(IN_CONTACT) && !command && !alt && !typing;
+        let in_contact = keymap.is_held(i, Action::TurnInContact) && !command && !alt && !typing;
         edit::Modifiers { slow: shift, snap: command, in_contact }
     })
 }
 
 /// What keys do to something that is held; a key that repeats counts once, except for letters.
-fn keys(ui: &Ui, holds: bool) -> Vec<Did> {
+fn keys(ui: &Ui, holds: bool, keymap: &Keymap) -> Vec<Did> {
     if !holds || ui.ctx().text_edit_focused() {
         return Vec::new();
     }
@@ -146,23 +145,24 @@ fn keys(ui: &Ui, holds: bool) -> Vec<Did> {
         match event {
             Event::Text(text) => all.extend(text.chars().map(Did::Typed)),
             Event::Key { key: Key::Backspace, pressed: true, .. } => all.push(Did::Backspace),
-            Event::Key { key, pressed: true, repeat: false, modifiers, .. } => {
-                all.extend(of_key(key, modifiers.shift));
-            }
+            Event::Key { key: Key::Enter, pressed: true, repeat: false, .. } => all.push(Did::Commit),
+            Event::Key { key: Key::Escape, pressed: true, repeat: false, .. } => all.push(Did::Cancel),
             _ => {}
         }
     }
+    let constrained = ui.input(|i| keymap.of_drag(i));
+    all.extend(constrained.into_iter().filter_map(constraint).map(Did::Constrain));
     all
 }
 
-fn of_key(key: Key, shift: bool) -> Option<Did> {
-    let axis = match key {
-        Key::X => Axis::X,
-        Key::Y => Axis::Y,
-        Key::Z => Axis::Z,
-        Key::Enter => return Some(Did::Commit),
-        Key::Escape => return Some(Did::Cancel),
+fn constraint(action: Action) -> Option<Constraint> {
+    Some(match action {
+        Action::AlongX => Constraint::Along(Axis::X),
+        Action::AlongY => Constraint::Along(Axis::Y),
+        Action::AlongZ => Constraint::Along(Axis::Z),
+        Action::AcrossX => Constraint::Across(Axis::X),
+        Action::AcrossY => Constraint::Across(Axis::Y),
+        Action::AcrossZ => Constraint::Across(Axis::Z),
         _ => return None,
-    };
-    Some(Did::Constrain(if shift { Constraint::Across(axis) } else { Constraint::Along(axis) }))
+    })
 }
