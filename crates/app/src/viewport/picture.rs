@@ -255,5 +255,13 @@ mod tests {
         for shift in [vec2(1.0, 0.0), vec2(2.0, 1.0), vec2(3.0, 0.0)] {
             assert_eq!(drawn_at(chest + shift), (lit, second), "the same bone, the same picture");
         }
+        hand.state_mut().viewport.side_view = true;
+        hand.run();
+        hand.render().unwrap();
+        assert_eq!(count(), second + 1, "the second view costs one picture, the first none");
+        hand.state_mut().viewport.side_view = false;
+        hand.run();
+        hand.render().unwrap();
+        assert_eq!(count(), second + 1, "and nothing once it is closed");
     }
 }
