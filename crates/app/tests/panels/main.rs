@@ -4,11 +4,13 @@
 mod files;
 mod grabbing;
 mod hand;
+mod handles;
 mod library;
 mod looks;
 mod mechanics;
 mod parts;
 mod picture;
+mod program;
 mod reaching;
 mod selection;
 mod sliders;

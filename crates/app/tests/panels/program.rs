@@ -1,0 +1,362 @@
+//! The program around the figure: actions, keys, settings, looks, sizes, and names for assistive technology.
+
+use std::path::Path;
+
+use app::{Action, ConfigFolder, Look, Section, Session, apply_theme, load};
+use edit::{By, Command, Editor, Request};
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, OutputCommand, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::{Harness, Node};
+use rig::{Bone, Dof, Limb};
+
+use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, steps};
+
+/// A window of that size that keeps its settings in a folder.
+fn configured(folder: &Path, size: egui::Vec2) -> Hand {
+    let mut session = Session::new(Editor::new(load::figure(None).unwrap()), None);
+    session.configure_from(ConfigFolder::at(folder));
+    let mut hand = Harness::builder()
+        .with_size(size)
+        .with_pixels_per_point(1.0)
+        .with_step_dt(0.05)
+        .with_context_setup(apply_theme)
+        .build_ui_state(|ui, session: &mut Session| session.ui(ui), session);
+    hand.run();
+    hand
+}
+
+fn press(hand: &mut Hand, modifiers: Modifiers, key: Key) {
+    hand.key_press_modifiers(modifiers, key);
+    hand.run();
+}
+
+fn kept(folder: &Path, file: &str) -> String {
+    std::fs::read_to_string(folder.join(file)).unwrap_or_default()
+}
+
+const WINDOW: egui::Vec2 = vec2(1280.0, 800.0);
+
+#[test]
+fn settings_take_effect_and_come_back_in_the_next_window() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    press(&mut hand, Modifiers::COMMAND, Key::Comma);
+    hand.get_by_role_and_label(Role::RadioButton, "Light").click();
+    hand.run();
+    assert!(!hand.ctx.global_style().visuals.dark_mode, "at once");
+    hand.get_by_role_and_label(Role::CheckBox, "Second view").click();
+    hand.run();
+    click(&mut hand, "Navigation");
+    click(&mut hand, "Maya");
+    click(&mut hand, "Close");
+    press(&mut hand, Modifiers::NONE, Key::M);
+    let text = kept(folder.path(), "settings.ron");
+    for word in ["version: 1", "look: Light", "\"Maya\"", "marks: false", "second_view: true"] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+    let next = configured(folder.path(), WINDOW);
+    let session = next.state();
+    assert_eq!(session.settings().look, Look::Light);
+    assert_eq!(session.viewport.preset, edit::Preset::Maya);
+    assert!(session.viewport.side_view && !session.viewport.marks);
+}
+
+#[test]
+fn files_at_fault_are_told_with_their_place_and_the_defaults_hold() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("keys.ron"), "(version: 1, keys: {\n  \"Save\": [\"Ctrl+O\"],\n})")
+        .unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    let status = hand.state().status().clone();
+    assert!(status.fault && status.message.contains("keys.ron:2:3: Ctrl+O asks for"), "{status:?}");
+    press(&mut hand, Modifiers::COMMAND, Key::S);
+    hand.get_by_label("Save the pose");
+}
+
+#[test]
+fn a_key_is_given_to_another_action_after_asking() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    press(&mut hand, Modifiers::COMMAND, Key::Comma);
+    click(&mut hand, "Keys");
+    hand.get_by_label("Search the keys").click();
+    hand.run();
+    hand.event(Event::Text("undo".to_owned()));
+    hand.run();
+    click(&mut hand, "Ctrl+Z for Undo");
+    press(&mut hand, Modifiers::NONE, Key::Escape);
+    hand.get_by_label("Ctrl+Z for Undo");
+    click(&mut hand, "Ctrl+Z for Undo");
+    press(&mut hand, Modifiers::NONE, Key::Tab);
+    hand.get_by_label_contains("Tab does “Next joint” already");
+    click(&mut hand, "Leave it");
+    assert_eq!(hand.state().keymap().shown(Action::Undo), "Ctrl+Z");
+    click(&mut hand, "Ctrl+Z for Undo");
+    press(&mut hand, Modifiers::NONE, Key::Tab);
+    click(&mut hand, "Take it");
+    assert_eq!(hand.state().keymap().shown(Action::Undo), "Tab");
+    assert!(hand.state().keymap().chords(Action::NextJoint).is_empty());
+    click(&mut hand, "Close");
+    let text = kept(folder.path(), "keys.ron");
+    assert!(text.contains("\"Undo\": [\"Tab\"]") && text.contains("\"NextJoint\": []"), "{text}");
+    let mut next = configured(folder.path(), WINDOW);
+    let turn = Command::Turn { joint: Bone::LeftLowerArm, dof: Dof::Flexion, degrees: 30.0, by: By::To };
+    next.state_mut().submit(Request::Do(turn));
+    press(&mut next, Modifiers::COMMAND, Key::Z);
+    assert_eq!(steps(&next), 1, "its former key does nothing");
+    press(&mut next, Modifiers::NONE, Key::Tab);
+    assert_eq!(steps(&next), 0);
+    press(&mut next, Modifiers::COMMAND, Key::Comma);
+    click(&mut next, "Keys");
+    click(&mut next, "All as by default");
+    assert_eq!(*next.state().keymap(), app::Keymap::default());
+    assert!(!kept(folder.path(), "keys.ron").contains("Undo"));
+}
+
+#[test]
+fn the_chosen_joints_go_over_the_clipboard_and_come_back_mirrored() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 70.0);
+    set(&mut hand, "Left collar · abduction", 8.0);
+    hand.state_mut().panels.select(Some(Bone::LeftLowerArm));
+    hand.run();
+    hand.event(Event::Copy);
+    hand.step();
+    let copied = hand.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    let text = copied.expect("text on the clipboard");
+    assert!(text.contains("leftLowerArm") && !text.contains("leftShoulder"), "{text}");
+    hand.run();
+    press(&mut hand, Modifiers::COMMAND, Key::Z);
+    press(&mut hand, Modifiers::COMMAND, Key::Z);
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 0.0);
+    hand.event(Event::Paste(text.clone()));
+    hand.run();
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 70.0);
+    // The key for the mirror image asks the window for the clipboard, which answers with an event.
+    press(&mut hand, Modifiers::COMMAND | Modifiers::SHIFT, Key::V);
+    assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 0.0);
+    hand.event(Event::Paste(text));
+    hand.run();
+    assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 70.0);
+    hand.event(Event::Paste("no pose".to_owned()));
+    hand.run();
+    assert!(hand.state().status().fault);
+    assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 70.0);
+}
+
+#[test]
+fn keys_look_from_every_side_and_typing_asks_for_nothing() {
+    let mut hand = at(LEFT_ARM);
+    let views = [
+        (Modifiers::NONE, Key::Num1, rig::View::Front),
+        (Modifiers::COMMAND, Key::Num1, rig::View::Back),
+        (Modifiers::NONE, Key::Num3, rig::View::Left),
+        (Modifiers::COMMAND, Key::Num3, rig::View::Right),
+        (Modifiers::NONE, Key::Num7, rig::View::Top),
+        (Modifiers::COMMAND, Key::Num7, rig::View::Bottom),
+        (Modifiers::ALT, Key::Num1, rig::View::ThreeQuarter),
+        (Modifiers::NONE, Key::Num1, rig::View::Front),
+    ];
+    for (modifiers, key, view) in views {
+        press(&mut hand, modifiers, key);
+        assert!(hand.state().viewport.camera.is_at(view), "{view:?}");
+    }
+    press(&mut hand, Modifiers::NONE, Key::Num9);
+    assert!(hand.state().viewport.camera.is_at(rig::View::Back));
+    press(&mut hand, Modifiers::NONE, Key::Num6);
+    assert!(!hand.state().viewport.camera.is_at(rig::View::Back));
+    let camera = hand.state().viewport.camera;
+    press(&mut hand, Modifiers::NONE, Key::F1);
+    hand.event(Event::Text("17".to_owned()));
+    press(&mut hand, Modifiers::NONE, Key::Num7);
+    assert_eq!(hand.state().viewport.camera, camera);
+    hand.get_by_label("Nothing has these words.");
+}
+
+#[test]
+fn menus_do_what_keys_do_and_say_which() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 40.0);
+    click(&mut hand, "Edit");
+    hand.get_by_role_and_label(Role::Button, "Settings…");
+    // The bar has a button of the same name before the menu's row.
+    hand.get_all_by_label("Undo").last().unwrap().click();
+    hand.run();
+    assert_eq!(steps(&hand), 0);
+    click(&mut hand, "Pose");
+    let symmetry = hand.get_all_by_label("Symmetry").last().unwrap();
+    assert_eq!(symmetry.accesskit_node().role(), Role::CheckBox);
+    symmetry.click();
+    hand.run();
+    assert!(hand.state().document().symmetry);
+    set(&mut hand, ELBOW, 40.0);
+    assert_eq!(pose(&hand).angles(Bone::RightLowerArm).flexion, 40.0);
+}
+
+#[test]
+fn the_bar_and_the_status_line_fit_small_windows_and_large_controls() {
+    let folder = tempfile::tempdir().unwrap();
+    for (size, scale) in [(vec2(1024.0, 700.0), 1.0), (vec2(1024.0, 700.0), 1.5), (vec2(960.0, 560.0), 1.0)] {
+        std::fs::write(folder.path().join("settings.ron"), format!("(version: 1, ui_scale: {scale:?})"))
+            .unwrap();
+        let hand = configured(folder.path(), size);
+        assert_eq!(hand.ctx.zoom_factor(), scale);
+        for name in ["File", "View", "Undo", "Redo", "Ranges", "Library", "Help"] {
+            let rect = hand.get_by_label(name).rect();
+            let window = hand.ctx.content_rect();
+            assert!(window.contains_rect(rect), "{name} at {rect:?} in {window:?} at {scale}");
+        }
+        let picture = hand.state().viewport.rect();
+        assert!(picture.width() > 200.0 && picture.height() > 300.0, "{picture:?} at {scale}");
+    }
+}
+
+#[test]
+fn at_half_as_large_again_the_pointer_still_meets_what_it_is_on() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("settings.ron"), "(version: 1, ui_scale: 1.5, panel: false)").unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    assert_eq!(hand.ctx.pixels_per_point(), 1.5);
+    press(&mut hand, Modifiers::NONE, Key::Num1);
+    let shin = hand.state().editor().evaluation().frames[Bone::LeftLowerLeg].position;
+    let on_shin = hand.state().viewport.window_of(shin - glam::DVec3::Y * 0.18).unwrap();
+    hand.hover_at(on_shin);
+    hand.run();
+    assert_eq!(hand.state().viewport.hovered(), Some(Bone::LeftLowerLeg));
+    let target = hand.state().editor().evaluation().limbs[Limb::LeftArm.index()].target;
+    let from = hand.state().viewport.window_of(target).unwrap();
+    let to = from + vec2(-30.0, 20.0);
+    drag(&mut hand, from, &[from + vec2(-10.0, 5.0), to]);
+    let target = hand.state().editor().evaluation().limbs[Limb::LeftArm.index()].articulator;
+    let place = hand.state().viewport.window_of(target).unwrap();
+    assert!((place - to).length() < 1.0, "{place} for {to}");
+    press(&mut hand, Modifiers::COMMAND, Key::Num0);
+    assert_eq!(hand.ctx.zoom_factor(), 1.0);
+    press(&mut hand, Modifiers::COMMAND, Key::Plus);
+    assert!((hand.ctx.zoom_factor() - 1.1).abs() < 1e-6);
+}
+
+#[test]
+fn a_fault_is_told_by_a_sign_and_words_and_not_by_a_colour_alone() {
+    let mut hand = at(LEFT_ARM);
+    assert!(hand.query_by_label("Fault").is_none());
+    hand.state_mut().open_asking("/nowhere/at/all.pose.ron".into());
+    hand.run();
+    hand.get_by_role_and_label(Role::Image, "Fault");
+    hand.get_by_label_contains("all.pose.ron");
+}
+
+#[test]
+fn the_line_below_says_what_pointer_and_keys_do_now() {
+    let mut hand = at(LEFT_ARM);
+    let beside = hand.state().viewport.rect().min + vec2(60.0, 60.0);
+    hand.hover_at(beside);
+    hand.run();
+    hand.get_by_label("turn the view");
+    let knee = hand.state().editor().evaluation().frames[Bone::RightLowerLeg].position;
+    let shin = hand.state().viewport.window_of(knee - glam::DVec3::Y * 0.18).unwrap();
+    hand.hover_at(shin);
+    hand.run();
+    hand.get_by_label("right leg reaches");
+    hand.drag_at(shin);
+    hand.step();
+    hand.hover_at(shin + vec2(12.0, -6.0));
+    hand.step();
+    hand.step();
+    hand.get_by_label_contains("Right leg reaches");
+    hand.get_by_label("Esc");
+    hand.drop_at(shin + vec2(12.0, -6.0));
+    hand.run();
+}
+
+/// Roles of what a hand or a key acts on.
+fn acts(role: Role) -> bool {
+    use Role::*;
+    matches!(
+        role,
+        Button
+            | CheckBox
+            | RadioButton
+            | Switch
+            | Slider
+            | SpinButton
+            | TextInput
+            | ComboBox
+            | Link
+            | MenuItem
+            | ListBoxOption
+            | Tab
+            | TreeItem
+            | ColorWell
+            | Canvas
+    )
+}
+
+/// Controls without a name, as their roles and places.
+fn unnamed(hand: &Hand) -> Vec<String> {
+    let bare = |node: &Node<'_>| {
+        let node = node.accesskit_node();
+        acts(node.role()) && node.label().is_none_or(|label| label.trim().is_empty())
+    };
+    let all = hand.root().children_recursive();
+    all.filter(bare).map(|node| format!("{:?} at {:?}", node.accesskit_node().role(), node.rect())).collect()
+}
+
+#[test]
+fn every_control_has_a_name_in_every_part_of_the_window() {
+    let mut hand = at(LEFT_ARM);
+    let check = |hand: &Hand, what: &str| {
+        let controls = hand.root().children_recursive().filter(|n| acts(n.accesskit_node().role())).count();
+        assert!(controls > 5, "{what}: only {controls} controls are seen");
+        let bare = unnamed(hand);
+        assert!(bare.is_empty(), "{what}: {bare:?}");
+    };
+    for section in Section::ALL {
+        hand.state_mut().panels.set_open(section, true);
+    }
+    hand.run();
+    check(&hand, "all sections");
+    let overviews = [app::Overview::Map, app::Overview::Tree];
+    for overview in overviews {
+        hand.state_mut().panels.set_overview(overview);
+        hand.run();
+        check(&hand, "the overview of the body");
+    }
+    hand.state_mut().viewport.side_view = true;
+    // Portraits are drawn beside, which repaints whenever one is done.
+    hand.key_press(Key::N);
+    hand.run_steps(4);
+    check(&hand, "library and second view");
+    hand.key_press(Key::N);
+    hand.run_steps(20);
+    for menu in ["File", "Edit", "View", "Pose"] {
+        click(&mut hand, menu);
+        check(&hand, menu);
+        press(&mut hand, Modifiers::NONE, Key::Escape);
+    }
+    for (modifiers, key, what) in [
+        (Modifiers::NONE, Key::F1, "the sheet of keys"),
+        (Modifiers::COMMAND, Key::O, "opening"),
+        (Modifiers::COMMAND | Modifiers::SHIFT, Key::S, "saving"),
+        (Modifiers::NONE, Key::F12, "saving a picture"),
+        (Modifiers::COMMAND, Key::Comma, "settings"),
+    ] {
+        press(&mut hand, modifiers, key);
+        check(&hand, what);
+        if what == "settings" {
+            for page in ["Navigation", "Keys"] {
+                click(&mut hand, page);
+                check(&hand, page);
+            }
+        }
+        press(&mut hand, Modifiers::NONE, Key::Escape);
+    }
+    set(&mut hand, ELBOW, 50.0);
+    hand.state_mut().quit_asking();
+    hand.run();
+    check(&hand, "unsaved changes");
+}
