@@ -197,7 +197,13 @@ impl Drag {
                     Sight::From(eye) => (met - eye).dot(self.view.normal) < 0.0,
                     Sight::Along(_) => true,
                 });
-                seen.unwrap_or_else(|| plane.nearest(point))
+                let point = seen.unwrap_or_else(|| plane.nearest(point));
+                // The very coordinate, so that nothing creeps along the axis.
+                match axis {
+                    Axis::X => DVec3 { x: self.first.x, ..point },
+                    Axis::Y => DVec3 { y: self.first.y, ..point },
+                    Axis::Z => DVec3 { z: self.first.z, ..point },
+                }
             }
         }
     }

@@ -3,6 +3,7 @@
 use rig::{Bone, Dof, Limb, Space};
 
 use crate::held::{Held, Moving, Rolling, Turn, Turning, What};
+use crate::knob::contact_limb;
 use crate::swivel::wrapped;
 use crate::telling::words;
 use crate::{Circle, Constraint, Grab, Handle, Hands, Knob, Mark, Modifiers, Stage, Typed};
@@ -59,7 +60,13 @@ impl Hands {
         };
         let bone = spot.mark.map_or(spot.skin_bone(), |mark| mark.bone(editor));
         let click = bone.map(|bone| format!(" · Click: choose {}", lower(&named(bone))));
-        Some(format!("Drag: {}{}", lower(&drag), click.unwrap_or_default()))
+        let contact = match spot.mark {
+            Some(Mark::Knob(Knob::Turn(bone, _))) if contact_limb(bone).is_some() => {
+                " · C: about the contact"
+            }
+            _ => "",
+        };
+        Some(format!("Drag: {}{}{contact}", lower(&drag), click.unwrap_or_default()))
     }
 
     /// The ring or arc in the hand.

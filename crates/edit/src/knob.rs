@@ -161,7 +161,7 @@ pub fn placed(stage: &Stage, in_contact: bool) -> Vec<Placed> {
 }
 
 /// The limb whose end a chosen bone turns in contact: hand, forearm, foot.
-fn contact_limb(bone: Bone) -> Option<Limb> {
+pub(crate) fn contact_limb(bone: Bone) -> Option<Limb> {
     let limb = Limb::of(bone)?;
     let parts = limb.parts();
     (bone == parts.end || (limb.is_arm() && bone == parts.hinge)).then_some(limb)
