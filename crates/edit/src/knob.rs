@@ -243,12 +243,7 @@ fn elevation(editor: &Editor, sight: &Sight, limb: Limb) -> Option<Placed> {
 
 /// The circle on which a limb's hinge swings, with the hinge at angle 0, and whether reported elevations rise with
 /// its angle or fall.
-pub fn elevation_circle(
-    figure: &Figure,
-    pose: &Pose,
-    frames: &Frames,
-    limb: Limb,
-) -> Option<(Circle, f64)> {
+pub fn elevation_circle(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb) -> Option<(Circle, f64)> {
     let parts = limb.parts();
     let at = figure.articulator(pose, limb);
     // A planted end elevates about the line to its own joint.

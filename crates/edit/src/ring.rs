@@ -206,8 +206,12 @@ mod tests {
         "leftUpperLeg": (flexion: 25.0), "leftLowerLeg": (flexion: 30.0), "leftFoot": (flexion: 5.0),
     })"#;
 
-    fn editor() -> Editor {
-        let figure = Arc::new(interchange::figure::bare_mannequin().unwrap());
+    fn figure() -> Arc<Figure> {
+        Arc::new(interchange::figure::bare_mannequin().unwrap())
+    }
+
+    fn editor(figure: &Arc<Figure>) -> Editor {
+        let figure = figure.clone();
         let pose = rig::parse_pose(BENT).unwrap().onto(&figure.rest_pose());
         Editor::in_pose(figure, pose)
     }
@@ -218,10 +222,10 @@ mod tests {
 
     #[test]
     fn a_turn_turns_the_bone_about_the_ring_s_axis() {
-        let mut tried = 0;
+        let (figure, mut tried) = (figure(), 0);
         for bone in Bone::ALL {
             for (dof, turned) in Dof::ALL.into_iter().flat_map(|dof| [(dof, 0.06), (dof, -0.06)]) {
-                let mut editor = editor();
+                let mut editor = editor(&figure);
                 let Some(ring) = ring(&editor, bone, dof) else { continue };
                 if turned < ring.range_rad[0] || turned > ring.range_rad[1] {
                     continue;
@@ -239,6 +243,7 @@ mod tests {
 
     #[test]
     fn a_turn_stops_where_the_range_ends_and_the_joint_gets_there() {
+        let figure = figure();
         for (bone, dof) in [
             (Bone::LeftLowerArm, Dof::Flexion),
             (Bone::LeftUpperArm, Dof::Flexion),
@@ -247,7 +252,7 @@ mod tests {
             (Bone::Chest, Dof::Twist),
         ] {
             for end in [0, 1] {
-                let mut editor = editor();
+                let mut editor = editor(&figure);
                 let ring = ring(&editor, bone, dof).unwrap();
                 let limit = ring.range_rad[end];
                 assert!(limit.abs() < PI, "{bone} {dof:?}");
@@ -263,7 +268,7 @@ mod tests {
 
     #[test]
     fn what_a_joint_lacks_has_no_ring() {
-        let editor = editor();
+        let editor = editor(&figure());
         assert!(ring(&editor, Bone::LeftLowerLeg, Dof::Twist).is_none());
         assert!(ring(&editor, Bone::LeftHand, Dof::Twist).is_none());
         assert!(
