@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
-use crate::symmetry::{mirrored, twin_of};
+use crate::symmetry::{evened, mirrored, twin_of};
 use crate::telling::words;
 use crate::{Command, Files, Rejected};
 
@@ -101,7 +101,7 @@ impl Editor {
     /// An editor with the figure at rest and every limb free.
     pub fn new(figure: Arc<Figure>) -> Editor {
         let document = Document::of(figure.rest_pose());
-        let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
+        let evaluation = evaluated(&figure, &document);
         Editor {
             figure,
             document,
@@ -116,7 +116,7 @@ impl Editor {
     /// An editor with the figure in a pose, and nothing to undo.
     pub fn in_pose(figure: Arc<Figure>, pose: Pose) -> Editor {
         let document = Document::of(pose);
-        let evaluation = rig::evaluate(&figure, &document.pose, document.ranges);
+        let evaluation = evaluated(&figure, &document);
         Editor { document, evaluation, ..Editor::new(figure) }
     }
 
@@ -301,10 +301,20 @@ impl Editor {
     }
 
     fn show(&mut self, document: Document) {
-        self.evaluation = rig::evaluate(&self.figure, &document.pose, document.ranges);
+        self.evaluation = evaluated(&self.figure, &document);
         self.document = document;
         self.revision += 1;
     }
+}
+
+/// What a document comes to. A limb whose root is locked has no elevation to go to.
+fn evaluated(figure: &Figure, document: &Document) -> Evaluation {
+    let mut evaluation = rig::evaluate(figure, &document.pose, document.ranges);
+    for limb in rig::Limb::ALL.into_iter().filter(|limb| document.locks.contains(limb.parts().root)) {
+        let view = &mut evaluation.limbs[limb.index()];
+        view.elevation_range = view.elevation.map(|now| [now, now]);
+    }
+    evaluation
 }
 
 fn told(message: String) -> Outcome {
@@ -323,12 +333,15 @@ fn both_sides(
     let mut outcome = Outcome::default();
     for command in commands {
         let twin = first.symmetry.then(|| mirrored(figure, &document.pose, command)).flatten();
+        let before = twin.as_ref().map(|_| document.pose.clone());
         let applied = apply(figure, &document, command, files)?;
         let clamped = outcome.clamped || applied.outcome.clamped;
         (document, outcome) = (applied.document, Outcome { clamped, ..applied.outcome });
         match twin.map(|twin| apply(figure, &document, &twin, files)) {
             Some(Ok(other)) => {
+                let pose = before.and_then(|before| evened(&before, &document.pose, &other.document.pose));
                 document = other.document;
+                document.pose = pose.unwrap_or(document.pose);
                 outcome.clamped |= other.outcome.clamped;
                 let known = outcome.missed.clone();
                 let new = |(limb, _): &(rig::Limb, f64)| known.iter().all(|(other, _)| other != limb);

@@ -1,7 +1,7 @@
 //! Live symmetry: the command that does on the other side what a command does on this one.
 
 use glam::DVec3;
-use rig::{Bone, Figure, Frame, Limb, Part, Pose, Space};
+use rig::{Bone, Dof, Figure, Frame, Limb, Part, Pose, Space, mirrored_pose};
 
 use crate::{At, Command, Goal, Hold};
 
@@ -50,6 +50,50 @@ pub fn mirrored(figure: &Figure, pose: &Pose, command: &Command) -> Option<Comma
         | Command::Ranges { .. }
         | Command::Balance { .. } => None,
     }
+}
+
+/// The pose after a command and its twin with the rounding of the twin taken out: where a straight limb or a stop at a
+/// range makes more of it, a symmetric pose would slowly go askew. `None` where the pose was not symmetric before, or the
+/// two sides have really come out differently.
+///
+/// `one` is the pose after the command alone, `both` after its twin, too.
+pub(crate) fn evened(before: &Pose, one: &Pose, both: &Pose) -> Option<Pose> {
+    if apart(before, &mirrored_pose(before)) > EVEN_DEG {
+        return None;
+    }
+    let (image, mut pose) = (mirrored_pose(one), one.clone());
+    for bone in Bone::ALL {
+        let twin = bone.mirrored();
+        if one.angles(twin) != before.angles(twin) {
+            pose.angles[bone.index()] = image.angles(bone);
+        }
+    }
+    for limb in Limb::ALL {
+        let twin = limb.mirrored();
+        if one.limb(twin) != before.limb(twin) {
+            pose.limbs[limb.index()] = image.limb(limb).clone();
+        }
+    }
+    (apart(&pose, both) < EVEN_DEG).then_some(pose)
+}
+
+/// What is told apart from rounding, degrees of angles and tenths of millimetres of contacts.
+const EVEN_DEG: f64 = 1e-3;
+
+/// How far two poses are apart: the most of any angle in degrees and of any contact's target in units of 0.1 mm; infinitely
+/// for contacts of different kinds.
+fn apart(a: &Pose, b: &Pose) -> f64 {
+    let angle = |bone: Bone| {
+        let (a, b) = (a.angles(bone), b.angles(bone));
+        Dof::ALL.map(|dof| (a.get(dof) - b.get(dof)).abs()).into_iter().fold(0.0, f64::max)
+    };
+    let hold = |limb: Limb| match (a.limb(limb).contact.target(), b.limb(limb).contact.target()) {
+        (None, None) => 0.0,
+        (Some((at, p)), Some((to, q))) if at == to => p.distance(q) * 1e4,
+        _ => f64::INFINITY,
+    };
+    let angles = Bone::ALL.into_iter().map(angle).fold(0.0, f64::max);
+    Limb::ALL.into_iter().map(hold).fold(angles, f64::max).max(a.hips.distance(b.hips) * 1e4)
 }
 
 /// The twin of a bone that the figure has; none for middle bones and eyes.

@@ -122,6 +122,8 @@ fn with_a_locked_root_the_hinge_alone_comes_nearest() {
         ask(&mut other, Request::Do(command)).unwrap();
         assert!(hand(&other).distance(goal) >= missed - 1e-9, "{} for {found}", f64::from(tenth) * 0.1);
     }
+    let view = &editor.evaluation().limbs[Limb::LeftArm.index()];
+    assert_eq!(view.elevation_range, view.elevation.map(|now| [now, now]));
     for command in [
         Command::Elevate { limb: Limb::LeftArm, degrees: 10.0, by: By::Delta },
         Command::Flip { limb: Limb::LeftArm },
