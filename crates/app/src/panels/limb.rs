@@ -184,12 +184,15 @@ impl Sheet<'_> {
         let columns = row::next(ui);
         let tip = "What of the limb's reach is drawn in the picture";
         row::text(ui, columns.joint, "Guides", Ink::Plain).on_hover_text(tip);
+        // Wider than other rows: all of them must fit into the narrowest panel.
+        let left = egui::pos2(columns.joint.left() + 48.0, columns.whole.top());
+        let cells = egui::Rect::from_min_max(left, columns.whole.max);
         let gap = 3.0;
         let count = Guide::ALL.len() as f32;
-        let width = ((columns.rest().width() + gap) / count - gap).max(1.0);
+        let width = ((cells.width() + gap) / count - gap).max(1.0);
         let place = UiBuilder::new()
             .scope_id(egui::Id::unique(("guides", limb.index())))
-            .max_rect(columns.rest())
+            .max_rect(cells)
             .layout(egui::Layout::left_to_right(egui::Align::Center));
         ui.scope_builder(place, |ui| {
             ui.spacing_mut().item_spacing.x = gap;

@@ -1,13 +1,13 @@
 //! Choosing joints on the body map, in the tree, by rows and by keys.
 
-use app::{Overview, Section};
+use app::Section;
 use edit::Request;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use rig::{Bone, Bone::*, Part};
 
-use crate::hand::{Hand, LEFT_ARM, at, click, steps};
+use crate::hand::{Hand, LEFT_ARM, at, click, drag, steps};
 
 fn chosen(hand: &Hand) -> Vec<Bone> {
     hand.state().panels.selection().bones().to_vec()
@@ -273,9 +273,10 @@ fn pointing_at_a_shape_or_row_lights_the_figure_up() {
 #[test]
 fn the_narrowest_panel_holds_the_whole_map() {
     let mut hand = at(LEFT_ARM);
-    hand.state_mut().panels.set_overview(Overview::Map);
-    hand.run();
+    let border = hand.state().viewport.rect().left_center() - egui::vec2(2.0, 0.0);
+    drag(&mut hand, border, &[border - egui::vec2(50.0, 0.0), border - egui::vec2(200.0, 0.0)]);
     let map = hand.get_by_label("Body map").rect();
+    assert!(map.width() < 328.0, "the panel has been made narrow: {map}");
     for bone in [LeftLittleDistal, RightLittleDistal, Head, LeftToes] {
         let shape = hand.get_by_label(&format!("{} on the map", app::labels::full(bone))).rect();
         assert!(map.contains_rect(shape), "{bone}: {shape} in {map}");
