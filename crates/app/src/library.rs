@@ -123,7 +123,7 @@ impl Library {
     pub fn is_settled(&self) -> bool {
         let shown = self.search.found(&self.entries);
         let drawable = self.shown && self.portraits.no_adapter.is_none();
-        !drawable || self.portraits.count(shown.iter().copied()) >= shown.len().min(portraits::MOST)
+        !drawable || self.portraits.count(&shown) >= shown.len().min(portraits::MOST)
     }
 
     /// Shows the library at the window's right if it is `open`; `selected` are the parts of what is selected.
@@ -167,7 +167,9 @@ impl Library {
         self.add(ui, &count, editor, parts.as_deref(), &mut asked);
         self.progress(ui, &found);
         self.grid(ui, &found, parts.as_deref(), &mut asked);
-        self.want(ui, &found, editor.in_gesture());
+        // The hand comes first: while it moves something, nothing is drawn beside.
+        let busy = editor.in_gesture() || ui.input(|i| i.pointer.any_down());
+        self.want(ui, &found, busy);
         asked
     }
 
@@ -197,7 +199,7 @@ impl Library {
             return;
         }
         let all = found.len().min(portraits::MOST);
-        let made = self.portraits.count(found.iter().copied()).min(all);
+        let made = self.portraits.count(found).min(all);
         let (_, line) = ui.allocate_space(egui::vec2(ui.available_width(), 2.0));
         if made < all {
             let done = line.width() * made as f32 / all as f32;
@@ -209,7 +211,7 @@ impl Library {
 
     fn count(&self, found: &[&Entry]) -> String {
         let all = found.len().min(portraits::MOST);
-        let made = self.portraits.count(found.iter().copied()).min(all);
+        let made = self.portraits.count(found).min(all);
         match found.len() {
             0 => "No pose is found".to_owned(),
             _ if made < all && self.portraits.no_adapter.is_none() => format!("Drawing: {made} of {all}"),

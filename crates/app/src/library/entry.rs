@@ -86,6 +86,9 @@ impl Entry {
 
     /// Whether every word of a search is somewhere in the title or a tag, in whatever case.
     pub fn matches(&self, search: &str) -> bool {
+        if search.trim().is_empty() {
+            return true;
+        }
         let title = self.title.to_lowercase();
         let tags: Vec<String> = self.tags.iter().map(|tag| tag.to_lowercase()).collect();
         search

@@ -91,7 +91,7 @@ impl Making {
     /// What was wrong with the name, if anything.
     pub fn tell_fault(&self, ui: &mut Ui) {
         if let Some(fault) = &self.fault {
-            ui.label(RichText::new(format!("{fault}")).small().color(ui.visuals().warn_fg_color));
+            ui.label(RichText::new(fault).small().color(ui.visuals().warn_fg_color));
         }
     }
 

@@ -10,7 +10,7 @@ use render::Image;
 use rig::Figure;
 
 use super::cache::Cache;
-use super::entry::Entry;
+use super::entry::{Entry, Stamp};
 use super::portrait::Opener;
 use super::worker::{Desk, Fault, Job, Key, News, Worker};
 
@@ -26,14 +26,22 @@ pub enum Portrait {
     Broken(String),
 }
 
+struct Made {
+    /// Of which version of the file.
+    stamp: Stamp,
+    portrait: Portrait,
+    /// The frame in which it was last shown.
+    seen: u64,
+}
+
 /// The portraits of a library.
 pub struct Portraits {
     desk: Arc<Desk>,
     thread: Option<JoinHandle<()>>,
     news: Option<Receiver<News>>,
     figure: Option<Arc<Figure>>,
-    /// With the frame in which each was last shown.
-    made: HashMap<Key, (Portrait, u64)>,
+    /// By the pose's path.
+    made: HashMap<String, Made>,
     frame: u64,
     opener: Opener,
     cache: Option<Cache>,
@@ -71,34 +79,42 @@ impl Portraits {
                 News::Folder(entries) => folder = Some(entries),
                 News::Portrait(key, Ok(image)) => {
                     let texture = ctx.load_texture(&key.0, color_image(&image), TextureOptions::LINEAR);
-                    self.made.insert(key, (Portrait::Drawn(texture), self.frame));
+                    self.keep(key, Portrait::Drawn(texture));
                 }
-                News::Portrait(key, Err(Fault::Broken(why))) => {
-                    self.made.insert(key, (Portrait::Broken(why), self.frame));
-                }
+                News::Portrait(key, Err(Fault::Broken(why))) => self.keep(key, Portrait::Broken(why)),
                 News::Portrait(_, Err(Fault::NoAdapter(cure))) => self.no_adapter = Some(cure),
             }
         }
         folder
     }
 
+    fn keep(&mut self, (path, stamp): Key, portrait: Portrait) {
+        self.made.insert(path, Made { stamp, portrait, seen: self.frame });
+    }
+
     /// The portrait of a pose, if there is one. It counts as seen.
+    ///
+    /// Of a file that has changed it is the former one until the new one is drawn.
     pub fn of(&mut self, entry: &Entry) -> Option<Portrait> {
-        let (portrait, seen) = self.made.get_mut(&(entry.path.clone(), entry.stamp))?;
-        *seen = self.frame;
-        Some(portrait.clone())
+        let made = self.made.get_mut(&entry.path)?;
+        made.seen = self.frame;
+        Some(made.portrait.clone())
+    }
+
+    fn has(&self, entry: &Entry) -> bool {
+        self.made.get(&entry.path).is_some_and(|made| made.stamp == entry.stamp)
     }
 
     /// How many of these poses have been seen to.
-    pub fn count<'a>(&self, entries: impl Iterator<Item = &'a Entry>) -> usize {
-        entries.filter(|entry| self.made.contains_key(&(entry.path.clone(), entry.stamp))).count()
+    pub fn count(&self, entries: &[&Entry]) -> usize {
+        entries.iter().filter(|entry| self.has(entry)).count()
     }
 
     /// Asks for the portraits of these poses that aren't there, in this order; none at all while `busy`.
     pub fn want<'a>(&mut self, ctx: &Context, entries: impl Iterator<Item = &'a Entry>, busy: bool) {
         let Some(figure) = self.figure.clone() else { return };
         let missing = entries
-            .filter(|entry| !self.made.contains_key(&(entry.path.clone(), entry.stamp)))
+            .filter(|entry| !self.has(entry))
             .map(|entry| Job { entry: entry.clone(), figure: figure.clone() });
         let still = busy || self.no_adapter.is_some();
         let jobs: Vec<Job> = if still { Vec::new() } else { missing.take(MOST).collect() };
@@ -145,11 +161,11 @@ impl Portraits {
         if self.made.len() <= MOST {
             return;
         }
-        let mut seen: Vec<(u64, Key)> =
-            self.made.iter().map(|(key, (_, seen))| (*seen, key.clone())).collect();
+        let mut seen: Vec<(u64, String)> =
+            self.made.iter().map(|(path, made)| (made.seen, path.clone())).collect();
         seen.sort();
-        for (_, key) in &seen[..self.made.len() - MOST] {
-            self.made.remove(key);
+        for (_, path) in &seen[..self.made.len() - MOST] {
+            self.made.remove(path);
         }
     }
 }
