@@ -105,7 +105,7 @@ actions! {
     Pose {
         CycleContact: "Free, point, planted", "The next kind of contact for the chosen limb.", ["P"];
         ClearRotation: "Clear rotation", "The angles of the chosen joints back to 0.", ["Alt+R"];
-        ClearPlace: "Clear place", "Hips, or the whole figure, back to where they are at rest.", ["Alt+G"];
+        ClearPlace: "Clear place", "Chosen hips back to their place, a chosen limb free; nothing chosen: the figure to the middle.", ["Alt+G"];
         Flip: "Flip elbow or knee", "The chosen limb takes its other bend, where it is in range.", ["Alt+F"];
         Lock: "Lock joint", "The chosen joints keep their angles, or no longer.", ["L"];
         Symmetry: "Symmetry", "What one side does, the other does as well.", ["Shift+M"];

@@ -17,10 +17,6 @@ const GESTURES: [(&str, &[(&str, &str)]); 3] = [
             ("Drag a ring", "turn about that axis"),
             ("Click", "choose; its rings show"),
             ("Shift+Click", "choose one more"),
-            ("Shift", "while dragging: a tenth as far"),
-            ("Ctrl", "while dragging: snap"),
-            ("0–9 . -", "while dragging: the distance; Enter"),
-            ("Esc", "while dragging, or right click: take back"),
         ],
     ),
     (
@@ -40,6 +36,15 @@ const GESTURES: [(&str, &[(&str, &str)]); 3] = [
             ("Click a number", "type it; or drag it"),
         ],
     ),
+];
+
+/// What goes with the keys of a drag.
+const DRAGGING: [(&str, &str); 5] = [
+    ("Shift", "a tenth as far"),
+    ("Ctrl", "snaps"),
+    ("0–9 . -", "how far"),
+    ("Enter", "done"),
+    ("Esc Right click", "as if it had never been"),
 ];
 
 /// What the sheet takes besides its rows, points: heading, search, button, margins.
@@ -93,12 +98,12 @@ fn blocks(keymap: &Keymap, sought: &str) -> Vec<Block> {
         title,
         rows: rows.iter().map(|(what, does)| (vec![(*what).to_owned()], (*does).to_owned())).collect(),
     });
-    let keys = Group::ALL.into_iter().map(|group| Block {
-        title: group.words(),
-        rows: Action::of_group(group)
-            .filter(|action| !keymap.chords(*action).is_empty())
-            .map(|action| (keys_of(keymap, action), action.words().to_owned()))
-            .collect(),
+    let fixed = |(what, does): &(&str, &str)| (vec![(*what).to_owned()], (*does).to_owned());
+    let keys = Group::ALL.into_iter().map(|group| {
+        let bound = Action::of_group(group).filter(|action| !keymap.chords(*action).is_empty());
+        let rows = bound.map(|action| (keys_of(keymap, action), action.words().to_owned()));
+        let besides = if group == Group::Drag { &DRAGGING[..] } else { &[] };
+        Block { title: group.words(), rows: rows.chain(besides.iter().map(fixed)).collect() }
     });
     let mut blocks: Vec<Block> = gestures.chain(keys).collect();
     for block in &mut blocks {
@@ -164,7 +169,7 @@ mod tests {
         let rows: usize = blocks(&keymap, "").iter().map(|block| block.rows.len()).sum();
         let gestures: usize = GESTURES.iter().map(|(_, rows)| rows.len()).sum();
         let bound = Action::ALL.iter().filter(|action| !keymap.chords(**action).is_empty()).count();
-        assert_eq!(rows, gestures + bound);
+        assert_eq!(rows, gestures + DRAGGING.len() + bound);
         let found = blocks(&keymap, "ctrl+shift+z");
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].rows[0].1, Action::Redo.words());
