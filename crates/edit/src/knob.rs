@@ -96,6 +96,11 @@ impl Knob {
         }
     }
 
+    /// Whether it is a ring about a joint or an articulator.
+    pub(crate) fn is_ring(self) -> bool {
+        matches!(self, Knob::Turn(..) | Knob::InContact(..) | Knob::Trackball(_))
+    }
+
     /// Whether skin before it hides it from the pointer.
     pub(crate) fn is_on_ground(self) -> bool {
         matches!(self, Knob::Place | Knob::TurnFigure)

@@ -1,4 +1,5 @@
-//! What lies under the pointer: knobs come before targets, targets before joints, all of them before the skin.
+//! What lies under the pointer: knobs come before targets, targets before joints, all of them before the skin; but the
+//! very middle of a target comes before a ring that passes over it.
 
 use glam::{DVec3, Vec2};
 use rig::{Bone, Limb, Reacher};
@@ -27,6 +28,8 @@ pub struct Spot {
 
 /// How near the pointer must come to a target or a joint.
 const REACH_PX: f32 = 9.0;
+/// Nearer than this to its middle, a target is meant though a ring passes over it.
+const MIDDLE_PX: f32 = 4.5;
 
 impl Mark {
     /// The bone that a click chooses; `None` where it chooses nothing.
@@ -65,10 +68,16 @@ pub fn spot(stage: &Stage, skin: &PosedSkin, placed: &[Placed], at_px: Vec2) -> 
     let knobs = placed.iter().filter_map(|p| p.cost_px(&stage.sight, at_px).map(|cost| (cost, p.knob)));
     let knob = knobs.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, knob)| knob);
     let only = |mark: Mark| Spot { mark: Some(mark), skin: None };
+    let targets = || Limb::ALL.into_iter().map(Mark::Target);
+    if let Some(target) =
+        nearest(stage, at_px, MIDDLE_PX, targets()).filter(|_| knob.is_none_or(Knob::is_ring))
+    {
+        return only(target);
+    }
     if let Some(knob) = knob.filter(|knob| !knob.yields_to_targets() && !knob.is_on_ground()) {
         return only(Mark::Knob(knob));
     }
-    let target = nearest(stage, at_px, Limb::ALL.into_iter().map(Mark::Target));
+    let target = nearest(stage, at_px, REACH_PX, targets());
     if let Some(first) = target.or(knob.filter(|knob| knob.yields_to_targets()).map(Mark::Knob)) {
         return only(first);
     }
@@ -79,7 +88,7 @@ pub fn spot(stage: &Stage, skin: &PosedSkin, placed: &[Placed], at_px: Vec2) -> 
     }
     let lit: Vec<Bone> = stage.selected.into_iter().chain(hit.map(|hit| hit.bone)).collect();
     let joints = marked_joints(stage.editor, &stage.sight, &lit).into_iter().map(Mark::Joint);
-    Spot { mark: nearest(stage, at_px, joints), skin: hit }
+    Spot { mark: nearest(stage, at_px, REACH_PX, joints), skin: hit }
 }
 
 /// The bone that carries a limb's articulator; the end if the figure doesn't know the articulator.
@@ -91,7 +100,7 @@ fn reaching_bone(editor: &Editor, limb: Limb) -> Bone {
 }
 
 /// The nearest of some targets or joints within reach; the one nearer to the eye wins by a little.
-fn nearest(stage: &Stage, at_px: Vec2, marks: impl Iterator<Item = Mark>) -> Option<Mark> {
+fn nearest(stage: &Stage, at_px: Vec2, within_px: f32, marks: impl Iterator<Item = Mark>) -> Option<Mark> {
     if !stage.marks {
         return None;
     }
@@ -104,7 +113,7 @@ fn nearest(stage: &Stage, at_px: Vec2, marks: impl Iterator<Item = Mark>) -> Opt
         let ndc = Vec2::new(clip.x, -clip.y) / clip.w;
         let distance = ((ndc * 0.5 + 0.5) * size_px).distance(at_px);
         let cost = distance - 4.0 * (place - camera.target).dot(toward);
-        (clip.w > 1e-6 && distance <= REACH_PX).then_some(cost)
+        (clip.w > 1e-6 && distance <= within_px).then_some(cost)
     };
     let all = marks.filter_map(|mark| cost(mark).map(|cost| (cost, mark)));
     all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, mark)| mark)
