@@ -1,7 +1,6 @@
 //! Choosing joints on the body map, in the tree, by rows and by keys.
 
 use app::Section;
-use edit::Request;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
