@@ -124,8 +124,8 @@ impl Placed {
             Shape::Handle(place) => handle_cost(sight, place, at_px),
             Shape::Disc(middle, radius) => {
                 let distance = sight.pixel_of(middle)?.distance(at_px);
-                // Whatever else is near comes first.
-                (distance <= radius).then_some(LINE_REACH_PX + distance)
+                // Rings that cross it are taken on the very line.
+                (distance <= radius).then_some(0.5 * LINE_REACH_PX)
             }
             Shape::Cross(middle, arm) => {
                 let place = |x: f64, z: f64| sight.pixel_of(middle + DVec3::new(x, 0.0, z) * arm);
@@ -276,7 +276,8 @@ impl Placed {
             Shape::Arc(circle, _) => sight.pixel_of(circle.point(0.0)).into_iter().collect(),
             Shape::Handle(place) => sight.pixel_of(place).into_iter().collect(),
             Shape::Disc(middle, radius) => {
-                let turned = (0..16).map(|i| Vec2::from_angle(i as f32 * 0.4) * radius * 0.8);
+                let turned =
+                    (0..32).map(|i| Vec2::from_angle(i as f32 * 0.4) * radius * (0.9 - 0.01 * i as f32));
                 let middle = sight.pixel_of(middle);
                 middle.into_iter().flat_map(|m| turned.clone().map(move |shift| m + shift)).collect()
             }
