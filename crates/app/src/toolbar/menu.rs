@@ -91,14 +91,17 @@ const POSE: &[Entry] = &[
     Do(Action::Ranges),
 ];
 
+const WIDTH: f32 = 250.0;
+
 /// Shows the menus' buttons, and the menu that is open.
 pub fn show(ui: &mut Ui, session: &Session, asked: &mut Vec<Action>) {
     for (name, entries) in [("File", FILE), ("Edit", EDIT), ("View", VIEW), ("Pose", POSE)] {
         let button = Button::new(name).frame_when_inactive(false);
         egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
-            ui.set_min_width(230.0);
-            let room = ui.ctx().content_rect().height() - 60.0;
-            egui::ScrollArea::vertical().max_height(room).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            let room = ui.ctx().content_rect().height() - 80.0;
+            let scroll = egui::ScrollArea::vertical().max_height(room).min_scrolled_height(room);
+            scroll.show(ui, |ui| {
                 for entry in entries {
                     show_entry(ui, session, entry, asked);
                 }
@@ -133,7 +136,7 @@ fn item(ui: &mut Ui, session: &Session, action: Action) -> egui::Response {
         .min_size(egui::vec2(ui.available_width(), 0.0));
     let response = ui.add_enabled(session.can(action), button);
     if session.is_on(action) == Some(true) {
-        sign::check(ui, response.rect.left_center() + egui::vec2(14.0, 0.0), theme::of(ui).text);
+        sign::check(ui, response.rect.left_center() + egui::vec2(11.0, 0.0), theme::of(ui).text);
     }
     response.widget_info(|| match session.is_on(action) {
         Some(on) => egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, action.words()),

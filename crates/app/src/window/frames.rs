@@ -88,7 +88,7 @@ impl Shown {
             ViewportId::ROOT,
             event_loop,
             Some(window.scale_factor() as f32),
-            None,
+            window.theme(),
             Some(screen.gpu().max_edge() as usize),
         );
         window.set_visible(true);
