@@ -281,15 +281,22 @@ impl Hands {
     }
 
     fn release(&mut self, stage: &Stage) -> Reaction {
-        if let State::Pressed { on, .. } = &self.state {
+        if let State::Pressed { at_px, on } = &self.state {
+            let (at_px, on) = (*at_px, *on);
             let chosen = match on.mark {
-                Some(mark) => mark.bone(stage.editor).map(Some),
+                // A click on a ring means what is seen through it.
+                Some(mark) => mark.bone(stage.editor).or_else(|| self.skin_at(stage, at_px)).map(Some),
                 None => Some(on.skin_bone()),
             };
             self.state = State::Idle;
             return Reaction { chosen, ..Reaction::default() };
         }
         self.end(State::Idle, Request::Commit)
+    }
+
+    fn skin_at(&mut self, stage: &Stage, at_px: Vec2) -> Option<Bone> {
+        let skin = PosedSkin::follow(&mut self.skin, stage.editor);
+        skin.hit(stage.editor, stage.sight.ray(at_px)).map(|hit| hit.bone)
     }
 
     /// Ends what is under way: the drag, if there is one, with a request.

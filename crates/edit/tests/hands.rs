@@ -61,6 +61,42 @@ fn handles_are_found_before_targets_and_these_before_joints_and_skin() {
 }
 
 #[test]
+fn a_click_on_a_ring_means_the_skin_seen_through_it() {
+    let mut table = table();
+    table.selected = Some(Bone::LeftFoot);
+    table.sight.camera = table.sight.camera.seen_from(View::Left);
+    let knobs = table.hands.knobs(&table.stage());
+    let mut through = 0;
+    for placed in knobs.iter().filter(|placed| matches!(placed.knob, Knob::Turn(Bone::LeftFoot, _))) {
+        let edit::Shape::Ring(circle) = placed.shape else { panic!("{placed:?}") };
+        for i in 0..90 {
+            let at = table.stage().sight.pixel_of(circle.point(f64::from(i) * 0.07)).unwrap();
+            table.tell(Event::Moved(at));
+            if !matches!(table.hands.knob(), Some(Knob::Turn(..))) {
+                continue;
+            }
+            let ray = table.sight.ray(at);
+            let seen = table.hands.skin(&table.editor).hit(&table.editor, ray).map(|hit| hit.bone);
+            assert_eq!(table.click(at).chosen, seen.map(Some), "a ring alone leaves the choice as it was");
+            table.selected = Some(Bone::LeftFoot);
+            through += usize::from(seen == Some(Bone::RightFoot));
+        }
+    }
+    assert!(through > 0, "the other foot is seen through a ring");
+}
+
+#[test]
+fn a_target_s_middle_comes_before_a_ring_that_passes_over_it() {
+    let mut table = table();
+    keep(&mut table, Limb::LeftLeg, Hold::Planted);
+    table.selected = Some(Bone::LeftFoot);
+    table.sight.camera = table.sight.camera.seen_from(View::Front);
+    let target = table.pixel(table.editor.evaluation().limbs[Limb::LeftLeg.index()].target);
+    table.tell(Event::Moved(target));
+    assert_eq!(table.hands.under().mark, Some(Mark::Target(Limb::LeftLeg)));
+}
+
+#[test]
 fn rings_turn_their_joint_and_nothing_else() {
     for (bone, dof) in [
         (Bone::LeftUpperArm, Dof::Flexion),
