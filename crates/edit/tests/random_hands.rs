@@ -15,7 +15,9 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use edit::{Axis, Command, Constraint, Event, Hold, Modifiers, Request};
 use glam::{DVec3, Vec2};
-use rig::{Articulation, Bone, Camera, Contact, Dof, Figure, Joint, Limb, Pose, Projection, Space, View};
+use rig::{
+    Articulation, Bone, Camera, Contact, Dof, Figure, Joint, Limb, Mechanics, Pose, Projection, Space, View,
+};
 use seeded::Seeded;
 use stage::{Table, figure};
 
@@ -111,9 +113,15 @@ fn camera(seeded: &mut Seeded) -> Camera {
 }
 
 fn request(seeded: &mut Seeded) -> Request {
-    match (seeded.unit() * 6.0) as usize {
+    match (seeded.unit() * 9.0) as usize {
         0 | 1 => Request::Undo,
         2 => Request::Redo,
+        3 => Request::Symmetry(seeded.unit() < 0.5),
+        4 => Request::Lock(*pick(seeded, &Bone::ALL), seeded.unit() < 0.3),
+        5 => Request::Mechanics(Mechanics {
+            collar_rhythm: seeded.unit() < 0.5,
+            torso_follow: if seeded.unit() < 0.5 { 0.0 } else { seeded.unit() },
+        }),
         _ => {
             let limb = *pick(seeded, &Limb::ALL);
             let contact = *pick(seeded, &[Hold::Free, Hold::Point, Hold::Planted]);
