@@ -26,6 +26,11 @@ use crate::viewport::Viewport;
 use crate::{status_line, theme, toolbar};
 use recovery::Recovery;
 
+/// The left panel's rows need as much, points.
+const PANEL_LEAST: f32 = 340.0;
+/// What the left panel leaves to the picture, points.
+const PICTURE_LEAST: f32 = 320.0;
+
 /// What the status line says.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Status {
@@ -247,7 +252,9 @@ impl Session {
     }
 
     fn panel(&mut self, ui: &mut Ui) {
-        let panel = egui::Panel::left("panel").default_size(396.0).size_range(340.0..=560.0);
+        // Where controls are large, the figure keeps some room.
+        let most = (ui.available_width() - PICTURE_LEAST).clamp(PANEL_LEAST, 560.0);
+        let panel = egui::Panel::left("panel").default_size(most.min(396.0)).size_range(PANEL_LEAST..=most);
         let fill = theme::of(ui).panel;
         let frame = egui::Frame::new().fill(fill).inner_margin(egui::Margin::symmetric(6, 6));
         self.panels.light(self.viewport.hovered());

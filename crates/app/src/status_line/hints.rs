@@ -21,7 +21,7 @@ pub fn now(session: &Session) -> Vec<Hint> {
     }
     if let Some(offered) = session.viewport.offering() {
         let mut hints = read(offered);
-        hints.push(wheel(session));
+        hints.extend([one("Ctrl", "snaps"), one("Shift", "slowly"), wheel(session)]);
         hints.extend(of_choice(session));
         return hints;
     }

@@ -273,6 +273,55 @@ fn the_line_below_says_what_pointer_and_keys_do_now() {
     hand.run();
 }
 
+#[test]
+fn a_new_pose_is_asked_about_and_has_no_file() {
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 42.0);
+    press(&mut hand, Modifiers::COMMAND, Key::N);
+    click(&mut hand, "Don't save");
+    assert_eq!(pose(&hand), load::standing(hand.state().editor().figure()));
+    assert!(!hand.state().is_modified() && hand.state().path().is_none());
+    press(&mut hand, Modifiers::COMMAND, Key::Z);
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 42.0, "it is a step as any other");
+}
+
+#[test]
+fn what_the_view_shows_is_saved_as_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("view.png");
+    let mut hand = at(LEFT_ARM);
+    hand.state_mut().viewport.picture_size = [160, 100];
+    press(&mut hand, Modifiers::NONE, Key::F12);
+    press(&mut hand, Modifiers::COMMAND, Key::A);
+    hand.event(Event::Text(path.display().to_string()));
+    hand.run();
+    click(&mut hand, "Save the picture now");
+    let picture = image::open(&path).unwrap().into_rgba8();
+    assert_eq!(picture.dimensions(), (160, 100), "{:?}", hand.state().status());
+    let (middle, corner) = (picture.get_pixel(80, 40), picture.get_pixel(4, 4));
+    assert_ne!(middle, corner, "there is a figure in it");
+    assert!(!hand.state().status().fault);
+}
+
+#[test]
+fn places_and_locks_are_cleared_and_set_by_keys() {
+    let mut hand = at(Section::Figure);
+    hand.state_mut().submit(Request::Do(Command::Place { by: glam::DVec3::X, turn: 40.0 }));
+    press(&mut hand, Modifiers::ALT, Key::G);
+    assert_eq!(pose(&hand).place, hand.state().editor().figure().rest_pose().place);
+    hand.state_mut().panels.select(Some(Bone::LeftLowerArm));
+    press(&mut hand, Modifiers::NONE, Key::L);
+    assert!(hand.state().document().locks.contains(Bone::LeftLowerArm));
+    press(&mut hand, Modifiers::NONE, Key::L);
+    assert!(!hand.state().document().locks.contains(Bone::LeftLowerArm));
+    press(&mut hand, Modifiers::ALT, Key::A);
+    assert_eq!(hand.state().panels.selected(), None);
+    let before = pose(&hand);
+    press(&mut hand, Modifiers::NONE, Key::P);
+    assert!(hand.state().status().message.contains("choose an arm or a leg"));
+    assert_eq!(pose(&hand), before);
+}
+
 /// Roles of what a hand or a key acts on.
 fn acts(role: Role) -> bool {
     use Role::*;
