@@ -160,8 +160,21 @@ fn never_farther_off_than_without_and_other_contacts_hold() {
 fn slow_hands_bring_torso_and_collar_along_slowly() {
     let start = standing(BOTH);
     let hand = start.evaluation().limbs[0].articulator;
-    // Up and forward, out to the side, far ahead: there and beyond reach.
-    for goal in [DVec3::new(0.3, 1.9, 0.4), DVec3::new(1.2, 1.2, 0.2), DVec3::new(0.2, 1.1, 1.2)] {
+    // Up and forward, out to the side, far ahead, across the body, and anywhere before it: there and beyond reach.
+    let named = [
+        DVec3::new(0.3, 1.9, 0.4),
+        DVec3::new(1.2, 1.2, 0.2),
+        DVec3::new(0.2, 1.1, 1.2),
+        DVec3::new(-0.5, 1.3, 0.8),
+    ];
+    let mut seeded = Seeded(5);
+    let chest = DVec3::new(0.15, 1.3, 0.0);
+    let mut any = || {
+        let way = seeded.direction();
+        chest + DVec3::new(way.x, way.y, way.z.abs()) * seeded.between(0.3, 1.1)
+    };
+    let goals: Vec<DVec3> = named.into_iter().chain((0..8).map(|_| any())).collect();
+    for goal in goals {
         let steps = (goal.distance(hand) * 1000.0).ceil();
         let mut editor = start.clone();
         let mut former = editor.pose().clone();
@@ -171,7 +184,7 @@ fn slow_hands_bring_torso_and_collar_along_slowly() {
             let torso = [Bone::Spine, Bone::Chest, Bone::UpperChest, Bone::LeftShoulder];
             for (bone, dof) in torso.into_iter().flat_map(|bone| Dof::ALL.map(|dof| (bone, dof))) {
                 let by = (editor.pose().angles(bone).get(dof) - former.angles(bone).get(dof)).abs();
-                assert!(by < 0.5, "{bone} {} by {by} at step {step} to {goal}", dof.name());
+                assert!(by < 1.0, "{bone} {} by {by} at step {step} to {goal}", dof.name());
             }
             former = editor.pose().clone();
         }

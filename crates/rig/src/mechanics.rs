@@ -4,7 +4,7 @@
 //! switching them on moves nothing, and how far a collar was from its rhythm stays.
 
 use glam::DVec3;
-use kin::{Interval, Rhythm};
+use kin::{CollarTurn, Interval, Rhythm, collar_turn};
 
 use crate::evaluation::angle_between;
 use crate::gesture::reach_from;
@@ -12,7 +12,7 @@ use crate::limb_rig::set;
 use crate::torso::Spine;
 use crate::turn::turn_along;
 use crate::{
-    Angles, Bone, Contact, Dof, Figure, Frames, GestureError, Limb, Moved, Pose, Space, Target,
+    Angles, Articulation, Bone, Contact, Dof, Figure, Frames, GestureError, Limb, Moved, Pose, Space, Target,
     articulator_in, frames, reach, turn,
 };
 
@@ -62,7 +62,10 @@ pub fn reach_with(
         holds.then_some(moved)
     };
     // First what can be told without solving: how far the other limbs' contacts stretch.
-    let most = along.within_reach(ranges);
+    let most = along.within_reach(ranges).min(along.unstopped(without[limb.index()], ranges));
+    if most == 0.0 {
+        return Ok(plain);
+    }
     if let Some(moved) = brought(most) {
         return Ok(moved);
     }
@@ -167,6 +170,29 @@ impl<'a> Along<'a> {
         any.then_some(Along { figure, before, limb, target, girdle, spine, lean: lean * share })
     }
 
+    /// The nearest and the farthest from the shoulder at which the arm can hold the point that reaches, metres.
+    fn span(&self, ranges: bool) -> Option<(f64, f64)> {
+        let rig = self.figure.limbs.get(self.limb)?;
+        let at = self.figure.articulator(self.before, self.limb);
+        let in_hinge = rig.in_hinge(self.figure, self.before, at.bone, at.at);
+        let hinge = if ranges { rig.ranges.hinge } else { Interval::FREE };
+        let hinge = hinge.reaching(rig.state(self.figure, self.before).hinge);
+        Some(rig.kin.reach_in(in_hinge, hinge))
+    }
+
+    /// The share that is left where the arm alone misses its target: all where it is only too far, fading out where the
+    /// shoulder's range stops it. There a little more or less of the collar makes another place the nearest, and the
+    /// arm would hop from one to the other.
+    fn unstopped(&self, missed: f64, ranges: bool) -> f64 {
+        let now = frames(self.figure, self.before);
+        let there = now.space(self.target.space).point(self.target.point);
+        let distance = now[self.limb.parts().root].position.distance(there);
+        let Some((near, far)) = self.span(ranges) else { return 0.0 };
+        let stopped = missed - (distance - far).max(near - distance).max(0.0);
+        let left = 1.0 - (stopped / FADES_M).clamp(0.0, 1.0);
+        left * left * (3.0 - 2.0 * left)
+    }
+
     /// The largest share with which every other limb's hold in the world stays as near as the limb is long.
     fn within_reach(&self, ranges: bool) -> f64 {
         let was = frames(self.figure, self.before);
@@ -213,6 +239,10 @@ impl<'a> Along<'a> {
             let there = now.space(self.target.space).point(self.target.point);
             let rise = |frames: &Frames, point| girdle.rise_for(frames[girdle.chest].inverse().point(point));
             girdle.raise(&mut pose, self.before, share * (rise(&now, there) - rise(&was, here)), ranges);
+            let shoulder = was[self.limb.parts().root].position;
+            let allowed = self.span(ranges)?.1.max(shoulder.distance(there));
+            let in_chest = now[girdle.chest].inverse().point(there);
+            girdle.bring_back(self.figure, &mut pose, self.before, in_chest, allowed, ranges);
         }
         Some(pose)
     }
@@ -241,6 +271,8 @@ fn lean(figure: &Figure, before: &Pose, now: &Frames, limb: Limb, target: Target
     now[Bone::Hips].rotation.conjugate() * turn
 }
 
+/// How far the shoulder's range keeps a hand off its target until nothing is brought along any more, metres.
+const FADES_M: f64 = 0.06;
 /// The share of the arm's length up to which no torso follows.
 const EASY: f64 = 0.75;
 /// The most that a shoulder is brought after a target, metres.
@@ -296,6 +328,30 @@ impl Girdle {
         let along = point - self.shoulder;
         let out = ((along.length() / self.reach.max(1e-9) - 0.1) / 0.4).clamp(0.0, 1.0);
         self.rise(along) * out * out * (3.0 - 2.0 * out)
+    }
+
+    /// Turns the collar so that its shoulder is no farther from a point in the chest's frame than allowed, by the smallest
+    /// turn: raising the collar takes the shoulder away from what lies across the body.
+    fn bring_back(
+        &self,
+        figure: &Figure,
+        pose: &mut Pose,
+        before: &Pose,
+        point: DVec3,
+        allowed: f64,
+        ranges: bool,
+    ) {
+        let Some(joint) = figure.skeleton.joint(self.collar) else { return };
+        let Articulation::Ball { ball, ranges: limits, .. } = &joint.articulation else { return };
+        let turned = joint.rotation(pose.angles(self.collar));
+        let turn = collar_turn(turned * self.root.offset, point - joint.offset, allowed);
+        if let CollarTurn::Turned(turn) = turn {
+            for (dof, angle) in Dof::ALL.into_iter().zip(ball.angles(turn * turned)) {
+                let range = if ranges { limits[dof as usize] } else { Interval::FREE };
+                let range = range.reaching(before.angles(self.collar).get(dof));
+                set(pose, self.collar, dof, range.clamp(angle.to_degrees()));
+            }
+        }
     }
 
     /// Raises the collar by an angle in radians, as far as it goes.
