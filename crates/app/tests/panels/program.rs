@@ -322,6 +322,26 @@ fn places_and_locks_are_cleared_and_set_by_keys() {
     assert_eq!(pose(&hand), before);
 }
 
+#[test]
+fn the_keyboard_goes_to_the_controls_and_comes_back() {
+    let mut hand = at(LEFT_ARM);
+    let focused = |hand: &Hand| hand.ctx.memory(|memory| memory.focused());
+    press(&mut hand, Modifiers::NONE, Key::Tab);
+    assert_eq!(focused(&hand), None, "Tab goes through the joints");
+    let chosen = hand.state().panels.selected();
+    assert!(chosen.is_some());
+    press(&mut hand, Modifiers::NONE, Key::F6);
+    let first = focused(&hand);
+    assert!(first.is_some());
+    press(&mut hand, Modifiers::NONE, Key::Tab);
+    assert!(focused(&hand).is_some() && focused(&hand) != first);
+    assert_eq!(hand.state().panels.selected(), chosen);
+    press(&mut hand, Modifiers::NONE, Key::Escape);
+    assert_eq!(focused(&hand), None);
+    press(&mut hand, Modifiers::NONE, Key::Tab);
+    assert_ne!(hand.state().panels.selected(), chosen);
+}
+
 /// Roles of what a hand or a key acts on.
 fn acts(role: Role) -> bool {
     use Role::*;
