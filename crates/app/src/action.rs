@@ -112,7 +112,7 @@ actions! {
         Mirror: "Mirror", "The mirror image of the chosen parts; nothing chosen: the whole pose.", ["Ctrl+M"];
         Reset: "Reset", "The chosen parts back to rest; nothing chosen: the whole figure.", ["Ctrl+Alt+R"];
         Balance: "Balance", "Shifts the hips so that the centre of mass is over the feet.", ["B"];
-        Ranges: "Ranges", "Whether joints stop at the ranges of a human body.", ["R"];
+        Ranges: "Ranges", "Whether joints stop at the ranges of a human body.", ["Shift+L"];
     }
     View {
         Front: "Front", "Seen from the front.", ["1"];
