@@ -12,9 +12,12 @@ impl Session {
         if ui.ctx().text_edit_focused() {
             return;
         }
+        let mut dragging = self.editor.in_gesture() || self.viewport.telling().is_some();
         for event in ui.input(|i| i.events.clone()) {
+            // A slow frame may bring the end of a drag together with the key that came after it.
+            dragging &= !matches!(event, Event::PointerButton { pressed: false, .. });
             let Some(pressed) = Pressed::of(&event) else { continue };
-            let Some(action) = self.asked(ui, &pressed) else { continue };
+            let Some(action) = self.asked(ui, &pressed, dragging) else { continue };
             take(ui, &event);
             if !pressed.repeat || repeats(action) {
                 self.paste_text = pressed.pasted;
@@ -24,13 +27,12 @@ impl Session {
     }
 
     /// The action of a key, if it is the time for it.
-    fn asked(&self, ui: &Ui, pressed: &Pressed) -> Option<Action> {
+    fn asked(&self, ui: &Ui, pressed: &Pressed, dragging: bool) -> Option<Action> {
         // Pasting mirrored had to ask the window system for the clipboard; here it comes.
         if pressed.pasted.is_some() && self.paste_mirrored {
             return Some(Action::PasteMirrored);
         }
         let action = self.keymap.action(pressed.chord, false)?;
-        let dragging = self.editor.in_gesture() || self.viewport.telling().is_some();
         if dragging && !matches!(action.group(), Group::File | Group::Edit) {
             return None;
         }

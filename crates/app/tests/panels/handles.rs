@@ -142,3 +142,21 @@ fn the_ground_handle_places_the_figure_and_a_target_holds_on_to_what_it_is_dropp
     let contact = pose(&hand).limb(Limb::LeftArm).contact;
     assert!(matches!(contact, Contact::Point { space: rig::Space::Body(_), .. }), "{contact:?}");
 }
+
+#[test]
+fn a_key_that_comes_with_the_end_of_a_drag_is_not_lost() {
+    let mut hand = choosing(Bone::LeftLowerArm);
+    let ring = place_of(&hand, "turn leftLowerArm flexion");
+    let end = ring + vec2(14.0, 10.0);
+    hold(&mut hand, ring, end);
+    let (turned, depth) = (pose(&hand), steps(&hand));
+    let modifiers = Modifiers::NONE;
+    let up =
+        Event::PointerButton { pos: end, button: egui::PointerButton::Primary, pressed: false, modifiers };
+    let tab = Event::Key { key: Key::Tab, physical_key: None, pressed: true, repeat: false, modifiers };
+    hand.input_mut().events.extend([up, tab]);
+    hand.step();
+    hand.run();
+    assert_eq!(hand.state().panels.selected(), Some(Bone::LeftHand));
+    assert_eq!((pose(&hand), steps(&hand)), (turned, depth + 1), "the drag is kept as one step");
+}

@@ -122,7 +122,7 @@ impl Window {
     pub fn picture(&self) -> Vec<u8> {
         self.to([700.0, 60.0]);
         let map = self.at_rest();
-        let [left, top, right, bottom] = rect(&map, "Canvas", "Figure");
+        let [left, top, right, bottom] = rect(&map, "Canvas", "Figure").map(f64::round);
         let crop = format!("{}x{}+{left}+{top}", right - left, bottom - top);
         let output = Command::new("import")
             .args(["-window", &self.id, "-crop", &crop, "-depth", "8", "rgb:-"])
