@@ -6,6 +6,7 @@
 mod aim;
 mod axis_angle;
 mod ball;
+mod bounded_step;
 mod carrier;
 mod collar;
 mod elevation;
@@ -14,8 +15,10 @@ mod fk;
 mod frame;
 mod gaze;
 mod limb;
+mod nearest;
 mod range;
 mod reach;
+mod settle;
 mod spine;
 
 pub use aim::{AIM_STEPS, AIM_TOLERANCE_RAD, AimError};

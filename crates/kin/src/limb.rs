@@ -172,6 +172,19 @@ impl Limb {
         state.root * (self.hinge_at_rest + DQuat::from_axis_angle(self.axis, state.hinge) * in_hinge)
     }
 
+    /// How the articulator goes as the hinge bends, metres a radian, limb frame.
+    pub(crate) fn along_hinge(&self, state: &LimbState, in_hinge: DVec3) -> DVec3 {
+        state.root * self.axis.cross(DQuat::from_axis_angle(self.axis, state.hinge) * in_hinge)
+    }
+
+    /// The half turn of the hinge that is a branch, with the whole turns of an angle, and as much more as holds that.
+    pub(crate) fn on_branch(&self, in_hinge: DVec3, branch: Branch, angle: f64) -> Interval {
+        let local = self.local(in_hinge);
+        let middle = 0.5 * PI * branch.sign() - local.z.atan2(local.y);
+        let middle = middle + TAU * ((angle - middle) / TAU).round();
+        Interval::new(middle - 0.5 * PI, middle + 0.5 * PI).reaching(angle)
+    }
+
     /// Where the hinge is in the limb frame.
     pub fn hinge(&self, state: &LimbState) -> DVec3 {
         state.root * self.hinge_at_rest

@@ -41,6 +41,11 @@ impl Interval {
         Interval { min: self.min.min(value), max: self.max.max(value) }
     }
 
+    /// What lies in another interval too; one of its ends where the two have nothing in common.
+    pub(crate) fn within(self, other: Interval) -> Interval {
+        Interval { min: other.clamp(self.min), max: other.clamp(self.max) }
+    }
+
     /// Both ends times a factor, for a change of unit.
     pub fn scaled(self, factor: f64) -> Interval {
         Interval::new(self.min * factor, self.max * factor)

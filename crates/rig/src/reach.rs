@@ -203,6 +203,7 @@ impl<'a> Grip<'a> {
         rotation: DQuat,
     ) -> Result<bool, GestureError> {
         let at = self.figure.articulator(pose, self.rig.limb);
+        let first = self.twist(pose);
         let mut limited = false;
         // The forearm's twist moves a point on its skin by a little: turn, bring the point back, until it stays.
         for _ in 0..SEGMENT_ROUNDS {
@@ -214,7 +215,58 @@ impl<'a> Grip<'a> {
             }
         }
         let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
-        Ok(self.bring(pose, frames, in_hinge, target, &self.kept)? || limited)
+        limited |= self.bring(pose, frames, in_hinge, target, &self.kept)?;
+        if self.place(pose, frames, at.bone, at.at).distance(target) > MET {
+            self.give_way(pose, frames, target, first)?;
+            return Ok(true);
+        }
+        Ok(limited)
+    }
+
+    /// Takes back as much of the forearm's twist since `first`, degrees, as puts a point of the lower segment within
+    /// reach: with a nearly straight limb a twist can carry it away. The twist stays if that doesn't help.
+    fn give_way(
+        &self,
+        pose: &mut Pose,
+        frames: &Frames,
+        target: DVec3,
+        first: f64,
+    ) -> Result<(), GestureError> {
+        let (mut reached, mut lost) = (first, self.twist(pose));
+        let reaches = |twist: f64| -> Result<Option<Pose>, GestureError> {
+            let mut turned = pose.clone();
+            set(&mut turned, self.rig.limb.parts().hinge, Dof::Twist, twist);
+            Ok(self.hold(&mut turned, frames, target)?.then_some(turned))
+        };
+        let Some(mut found) = reaches(reached)? else { return Ok(()) };
+        for _ in 0..GIVE_WAY_ROUNDS {
+            let middle = 0.5 * (reached + lost);
+            match reaches(middle)? {
+                Some(pose) => (reached, found) = (middle, pose),
+                None => lost = middle,
+            }
+        }
+        *pose = found;
+        Ok(())
+    }
+
+    /// Brings the articulator to a world target if some elevation in the window does; returns whether it did.
+    fn hold(&self, pose: &mut Pose, frames: &Frames, target_in_world: DVec3) -> Result<bool, GestureError> {
+        let at = self.figure.articulator(pose, self.rig.limb);
+        let in_hinge = self.rig.in_hinge(self.figure, pose, at.bone, at.at);
+        let target = self.rig.target_in_limb(frames[self.rig.base].inverse().point(target_in_world));
+        let goal = LimbGoal { target, ..self.kept };
+        let window = if self.strict { 1e-9 } else { WINDOW };
+        let held = self.rig.kin.hold_within(in_hinge, &goal, &self.from, &self.limits(), window);
+        let held = held.map_err(|why| GestureError::Degenerate { limb: self.rig.limb, why })?;
+        let Some(state) = held.filter(|_| !self.rig.root_locked) else { return Ok(false) };
+        self.rig.write(self.figure, pose, &state);
+        Ok(self.place(pose, frames, at.bone, at.at).distance(target_in_world) <= MET)
+    }
+
+    /// The twist of the lower segment, degrees.
+    fn twist(&self, pose: &Pose) -> f64 {
+        pose.angles(self.rig.limb.parts().hinge).get(Dof::Twist)
     }
 
     /// Turns the end toward a world rotation as far as it goes.
@@ -301,6 +353,9 @@ const PLANT_ROUNDS: usize = 3;
 
 /// The most rounds in which a planted forearm settles; each comes several times nearer.
 const SEGMENT_ROUNDS: usize = 32;
+
+/// Halvings of the twist that a planted forearm takes back.
+const GIVE_WAY_ROUNDS: usize = 40;
 
 /// The goal of an elevation, radians.
 #[derive(Clone, Copy)]
