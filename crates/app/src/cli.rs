@@ -10,6 +10,7 @@ use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text, write_atomic};
 use crate::failure::Failure;
 use crate::load::{self, Kind};
 use crate::picture::{Shot, picture, write_png};
+use crate::window::{Showing, ui_picture};
 
 /// Poses a skinned figure: forward and inverse gestures in any mix.
 #[derive(Parser, Debug)]
@@ -76,6 +77,8 @@ enum Task {
         /// Draws the whole window with its panels.
         #[arg(long)]
         ui: bool,
+        #[command(flatten)]
+        showing: Showing,
     },
     /// Tells what a pose comes to.
     Inspect {
@@ -161,9 +164,9 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
         Some(Task::Run { script, on, figure, save, report }) => {
             run(&script, on.as_deref(), figure.as_deref(), save.as_deref(), report.as_deref()).map_err(one)
         }
-        Some(Task::Render { file, output, figure, size, view, pass, transparent, ui }) => {
+        Some(Task::Render { file, output, figure, size, view, pass, transparent, ui, showing }) => {
             let shot = Shot { size, view, pass: pass.into(), transparent };
-            render(&file, &output, figure.as_deref(), &shot, ui).map_err(one)
+            render(&file, &output, figure.as_deref(), &shot, ui.then_some(&showing)).map_err(one)
         }
         Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
@@ -223,9 +226,19 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-fn render(file: &Path, output: &Path, figure: Option<&Path>, shot: &Shot, ui: bool) -> Result<(), Failure> {
+/// A picture of the figure, or of the whole window if something is to show in it.
+fn render(
+    file: &Path,
+    output: &Path,
+    figure: Option<&Path>,
+    shot: &Shot,
+    window: Option<&Showing>,
+) -> Result<(), Failure> {
     let editor = load::editor(&load::figure(figure)?, file)?;
-    let image = if ui { crate::window::ui_picture(&editor, file, shot)? } else { picture(&editor, shot)? };
+    let image = match window {
+        Some(showing) => ui_picture(&editor, file, shot, showing)?,
+        None => picture(&editor, shot)?,
+    };
     write_png(&image, output)
 }
 

@@ -4,6 +4,7 @@ mod display;
 mod frames;
 mod offscreen;
 mod screen;
+mod showing;
 mod ui_map;
 
 use std::path::{Path, PathBuf};
@@ -18,6 +19,7 @@ use crate::session::Session;
 use crate::settings::ConfigFolder;
 
 pub use offscreen::{session_picture, ui_picture};
+pub use showing::Showing;
 
 /// Opens the window on files and returns when it is closed.
 ///

@@ -12,14 +12,16 @@ use crate::picture::{Shot, open_gpu};
 use crate::session::Session;
 use crate::theme;
 
+use super::Showing;
+
 /// Draws the whole window, panels included, without a display.
 ///
 /// # Errors
 /// No adapter.
-pub fn ui_picture(editor: &Editor, file: &Path, shot: &Shot) -> Result<Image, Failure> {
+pub fn ui_picture(editor: &Editor, file: &Path, shot: &Shot, showing: &Showing) -> Result<Image, Failure> {
     let mut session = Session::new(editor.clone(), Some(file.to_owned()));
     session.viewport.view(shot.view);
-    session_picture(&mut session, shot.size)
+    drawn(&mut session, shot.size, showing)
 }
 
 /// Layout settles within as many frames.
@@ -32,6 +34,10 @@ const WAITS: usize = 400;
 /// # Errors
 /// No adapter; a size that it can't draw.
 pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, Failure> {
+    drawn(session, size, &Showing::default())
+}
+
+fn drawn(session: &mut Session, size: [u32; 2], showing: &Showing) -> Result<Image, Failure> {
     let gpu = open_gpu()?;
     let limit = gpu.max_edge();
     if size.iter().any(|edge| !(1..=limit).contains(edge)) {
@@ -54,8 +60,16 @@ pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, F
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let ctx = Context::default();
     theme::apply(&ctx);
-    for frame in 0..FRAMES + WAITS {
-        if frame >= FRAMES {
+    // The window is laid out before anything is done in it.
+    let mut events = vec![Vec::new()];
+    events.extend(showing.events());
+    let least = events.len() - 1 + FRAMES;
+    let mut events = events.into_iter();
+    for frame in 0..least + WAITS {
+        if frame == 1 {
+            showing.apply(&ctx, session);
+        }
+        if frame >= least {
             if session.library().is_settled() {
                 break;
             }
@@ -66,6 +80,7 @@ pub fn session_picture(session: &mut Session, size: [u32; 2]) -> Result<Image, F
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, room)),
             time: Some(frame as f64),
             focused: true,
+            events: events.next().unwrap_or_default(),
             ..RawInput::default()
         };
         let output = ctx.run_ui(input, |ui| session.ui(ui));

@@ -1,0 +1,131 @@
+//! What a picture of the window shows besides the figure: what is chosen, what is switched on, where the pointer is.
+
+use edit::Choose;
+use egui::{Context, Event, Modifiers, PointerButton, Pos2, pos2};
+use rig::{Bone, Limb};
+
+use crate::action::{Action, Group};
+use crate::keymap::defaults;
+use crate::session::Session;
+use crate::viewport::Guide;
+
+/// What was done in the window before its picture was taken.
+#[derive(clap::Args, Clone, PartialEq, Default, Debug)]
+#[command(next_help_heading = "With --ui, what the window shows")]
+pub struct Showing {
+    /// Chooses joints, the last as the active one: leftHand,leftLowerArm.
+    #[arg(long, value_name = "JOINTS", value_delimiter = ',', value_parser = bone, requires = "ui")]
+    select: Vec<Bone>,
+    /// Actions on what is seen, by their names in the file of keys: Library,SecondView,Theme,FrameSelection.
+    #[arg(long = "do", value_name = "ACTIONS", value_delimiter = ',', value_parser = action, requires = "ui")]
+    actions: Vec<Action>,
+    /// Guides to a limb's reach, by the words of their buttons: leftArm:line,leftArm:outer.
+    #[arg(long, value_name = "LIMB:GUIDE", value_delimiter = ',', value_parser = guide, requires = "ui")]
+    guides: Vec<(Limb, Guide)>,
+    /// Where the pointer is, in points of the window: 640,400.
+    #[arg(long, value_name = "X,Y", value_parser = place, requires = "ui")]
+    pointer: Option<Pos2>,
+    /// Where it drags what it found there.
+    #[arg(long, value_name = "X,Y", value_parser = place, requires = "pointer")]
+    drag_to: Option<Pos2>,
+}
+
+fn bone(name: &str) -> Result<Bone, String> {
+    Bone::from_name(name).ok_or_else(|| {
+        let nearest = rig::nearest(name, Bone::ALL.iter().map(|bone| bone.name()));
+        format!("no joint has this name; did you mean {nearest}?")
+    })
+}
+
+/// Actions that neither change the pose nor touch a file; of those for drags the one that shows by itself.
+fn action(name: &str) -> Result<Action, String> {
+    let seen = |action: &Action| {
+        matches!(action.group(), Group::Selection | Group::View | Group::Window)
+            || *action == Action::TurnInContact
+    };
+    Action::of_name(name).filter(seen).ok_or_else(|| {
+        let names = Action::ALL.iter().filter(|action| seen(action)).map(|action| action.name());
+        format!("no such action on what is seen; did you mean {}?", rig::nearest(name, names))
+    })
+}
+
+fn guide(text: &str) -> Result<(Limb, Guide), String> {
+    let (limb, word) = text.split_once(':').ok_or("expected LIMB:GUIDE, such as leftArm:outer")?;
+    let limbs = || Limb::ALL.iter().map(|limb| limb.name()).collect::<Vec<_>>().join(", ");
+    let limb = Limb::ALL.into_iter().find(|known| known.name() == limb);
+    let limb = limb.ok_or_else(|| format!("no such limb; there are {}", limbs()))?;
+    let words = || Guide::ALL.map(|guide| guide.word().to_lowercase()).join(", ");
+    let guide = Guide::ALL.into_iter().find(|guide| guide.word().eq_ignore_ascii_case(word));
+    Ok((limb, guide.ok_or_else(|| format!("no such guide; there are {}", words()))?))
+}
+
+fn place(text: &str) -> Result<Pos2, String> {
+    let number = |part: &str| part.trim().parse::<f32>().ok().filter(|n| n.is_finite());
+    let pair = text.split_once(',').and_then(|(x, y)| Some(pos2(number(x)?, number(y)?)));
+    pair.ok_or_else(|| "expected X,Y in points of the window, such as 640,400".to_owned())
+}
+
+impl Showing {
+    /// Does in the window what was asked for, apart from the pointer. The window must have been laid out.
+    pub(super) fn apply(&self, ctx: &Context, session: &mut Session) {
+        let figure = session.editor().figure().clone();
+        for bone in &self.select {
+            session.panels.choose(&figure.skeleton, Choose::Toggle(*bone));
+        }
+        for (limb, guide) in &self.guides {
+            session.panels.set_guide(*limb, *guide, true);
+        }
+        for action in &self.actions {
+            session.act(ctx, *action);
+        }
+    }
+
+    /// What pointer and keys do, frame by frame.
+    pub(super) fn events(&self) -> Vec<Vec<Event>> {
+        let mut frames: Vec<_> = self.held().into_iter().map(|key| vec![key]).collect();
+        let Some(at) = self.pointer else { return frames };
+        frames.push(vec![Event::PointerMoved(at)]);
+        if let Some(to) = self.drag_to {
+            let modifiers = Modifiers::default();
+            let press =
+                Event::PointerButton { pos: at, button: PointerButton::Primary, pressed: true, modifiers };
+            frames.push(vec![press]);
+            frames.push(vec![Event::PointerMoved(at.lerp(to, 0.5))]);
+            frames.push(vec![Event::PointerMoved(to)]);
+        }
+        frames
+    }
+
+    /// The key of the action that lasts while its key is held.
+    fn held(&self) -> Option<Event> {
+        let asked = self.actions.contains(&Action::TurnInContact);
+        let key = defaults(Action::TurnInContact).first().filter(|_| asked)?.key;
+        let modifiers = Modifiers::default();
+        Some(Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers })
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_the_command_line_are_those_of_the_window() {
+        assert_eq!(bone("leftHand"), Ok(Bone::LeftHand));
+        assert!(bone("leftHnad").unwrap_err().contains("leftHand"));
+        assert_eq!(guide("leftArm:outer"), Ok((Limb::LeftArm, Guide::Outer)));
+        assert!(guide("leftArm:sphere").unwrap_err().contains("outer"));
+        assert!(guide("arm:outer").unwrap_err().contains("leftArm"));
+        assert_eq!(place("3, 4.5"), Ok(pos2(3.0, 4.5)));
+        assert!(place("3").is_err() && place("nan,1").is_err());
+    }
+
+    #[test]
+    fn only_what_is_seen_can_be_asked_for() {
+        assert_eq!(action("Library"), Ok(Action::Library));
+        for name in ["Save", "Quit", "Mirror", "Undo", "AlongX", "Fly"] {
+            assert!(action(name).is_err(), "{name}");
+        }
+    }
+}
