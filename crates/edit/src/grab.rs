@@ -6,6 +6,7 @@
 use glam::{DQuat, DVec3};
 use rig::{Bone, Contact, Evaluation, Figure, Frames, Limb, Pose};
 
+use crate::elevation::elevation_circle;
 use crate::ring::Swing;
 use crate::{At, By, Command, Goal, Hit};
 
@@ -100,15 +101,12 @@ impl Grab {
     }
 
     fn elevate(&self, figure: &Figure, limb: Limb, to_in_world: DVec3) -> Vec<Command> {
-        let root = self.frames[limb.parts().root].position;
-        let at = figure.articulator(&self.first, limb);
-        let Some(axis) = (self.frames[at.bone].point(at.at) - root).try_normalize() else {
+        let Some((circle, sense)) = elevation_circle(figure, &self.first, &self.frames, limb) else {
             return Vec::new();
         };
-        let level = |point: DVec3| (point - root).reject_from_normalized(axis);
-        let (from, to) = (level(self.first_in_world), level(to_in_world));
-        let turned = axis.dot(from.cross(to)).atan2(from.dot(to)).to_degrees();
-        vec![Command::Elevate { limb, degrees: elevation_sense(limb) * turned, by: By::Delta }]
+        let taken = circle.from_angle(circle.angle_of(self.first_in_world));
+        let degrees = sense * taken.angle_of(to_in_world).to_degrees();
+        vec![Command::Elevate { limb, degrees, by: By::Delta }]
     }
 
     fn swing(&self, figure: &Figure, bone: Bone, to_in_world: DVec3) -> Vec<Command> {
@@ -131,12 +129,6 @@ impl Grab {
         let gaze = turn * (head.rotation * DVec3::Z);
         vec![Command::LookAt { at: eyes + gaze * 2.0 }]
     }
-}
-
-/// Reported elevations rise outward: +1 where that is about the line from root to articulator, as for a left arm, -1
-/// where it is against it, as for its twin; legs are the other way round.
-pub(crate) fn elevation_sense(limb: Limb) -> f64 {
-    if limb.is_arm() == (limb.side() == rig::Side::Left) { 1.0 } else { -1.0 }
 }
 
 /// What a drag of that place of the skin moves.

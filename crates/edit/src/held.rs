@@ -4,7 +4,8 @@ use glam::{DQuat, DVec3, Vec2};
 use rig::{Bone, Frames, Limb, Space};
 
 use crate::drag::Drag;
-use crate::knob::{Shape, acromion, elevation_circle};
+use crate::elevation::elevation_circle;
+use crate::knob::{Shape, acromion};
 use crate::ring::{Ring, Swing};
 use crate::swivel::{Swivel, stepped};
 use crate::{
@@ -180,7 +181,7 @@ impl Held {
         Held::Ring(Turning { knob, swivel, turn, angle_rad: 0.0 })
     }
 
-    /// The sight through which it was taken.
+    /// The knob in the hand; `None` for skin and targets.
     pub(crate) fn knob(&self) -> Option<Knob> {
         match self {
             Held::Point(Moving { what: What::Grab(_, knob), .. }) => *knob,

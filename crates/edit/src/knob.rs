@@ -1,9 +1,9 @@
 //! What is drawn over the figure to be taken hold of: rings, arcs and handles, and where they are.
 
 use glam::{DVec3, Vec2};
-use rig::{Bone, Contact, Dof, Figure, Frames, Limb, Pose};
+use rig::{Bone, Dof, Frames, Limb};
 
-use crate::grab::elevation_sense;
+use crate::elevation::elevation_circle;
 use crate::ring::axis;
 use crate::{Circle, Editor, Sight, Stage};
 
@@ -244,21 +244,6 @@ fn elevation(editor: &Editor, sight: &Sight, limb: Limb) -> Option<Placed> {
     let [low, high] = view.elevation_range.unwrap_or([now, now]).map(|end| (end - now).to_radians() * sense);
     let shape = Shape::Arc(circle, [low.min(high), low.max(high)]);
     Some(Placed { knob: Knob::Elevation(limb), shape })
-}
-
-/// The circle on which a limb's hinge swings, with the hinge at angle 0, and whether reported elevations rise with
-/// its angle or fall.
-pub fn elevation_circle(figure: &Figure, pose: &Pose, frames: &Frames, limb: Limb) -> Option<(Circle, f64)> {
-    let parts = limb.parts();
-    let at = figure.articulator(pose, limb);
-    // A planted end elevates about the line to its own joint.
-    let planted = matches!(pose.limb(limb).contact, Contact::Planted { .. }) && at.bone != parts.hinge;
-    let about = if planted { frames[parts.end].position } else { frames[at.bone].point(at.at) };
-    let (root, hinge) = (frames[parts.root].position, frames[parts.hinge].position);
-    let axis = (about - root).try_normalize()?;
-    let center = root + axis * (hinge - root).dot(axis);
-    let circle = Circle::new(center, axis, hinge - center, hinge.distance(center));
-    Some((circle, elevation_sense(limb)))
 }
 
 impl Placed {

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use edit::{Command, Editor, Grab, Handle, Hit, Hold, NoFiles, Request};
+use edit::{At, Command, Editor, Grab, Handle, Hit, Hold, NoFiles, Request};
 use glam::DVec3;
 use rig::{Bone, Limb, Space, parse_pose};
 
@@ -111,6 +111,24 @@ fn an_elbow_elevates_while_its_hand_holds() {
         let moved = editor.evaluation().frames[bone].position - at;
         assert!(moved.x * out > 0.0, "{}: the hinge goes with the pointer: {moved}", limb.name());
     }
+}
+
+#[test]
+fn a_knee_over_a_planted_foot_goes_as_far_round_its_circle_as_the_pointer() {
+    let mut editor = editor();
+    let toes = Command::Articulate { limb: Limb::LeftLeg, at: At::Named("toeTip".to_owned()) };
+    editor.submit(Request::Do(toes), &mut NoFiles).unwrap();
+    keep(&mut editor, Limb::LeftLeg, Hold::Planted);
+    let (figure, pose) = (editor.figure().clone(), editor.pose().clone());
+    let frames = editor.evaluation().frames;
+    let (circle, _) = edit::elevation_circle(&figure, &pose, &frames, Limb::LeftLeg).unwrap();
+    let grabbed = DVec3::new(0.0, 0.0, 0.05);
+    let first = frames[Bone::LeftLowerLeg].point(grabbed);
+    let by = DVec3::new(0.015, 0.0, 0.0);
+    drag(&mut editor, Bone::LeftLowerLeg, grabbed, by);
+    let is = editor.evaluation().frames[Bone::LeftLowerLeg].point(grabbed);
+    let off = circle.angle_of(is) - circle.angle_of(first + by);
+    assert!(off.abs() < 1e-6, "{} degrees", off.to_degrees());
 }
 
 #[test]
