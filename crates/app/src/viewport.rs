@@ -153,6 +153,11 @@ impl Viewport {
         self.hands.telling(&labels::full)
     }
 
+    /// Whether the pointer has hold of the figure, or its button is still down after a drag that ended: keys are for it.
+    pub fn holds(&self) -> bool {
+        self.hands.holds()
+    }
+
     /// What a drag or a click would do where the pointer is; `None` beside the figure and while something is dragged.
     pub fn offering(&self) -> Option<&str> {
         self.offering.as_deref()

@@ -45,7 +45,7 @@ pub enum Event {
     Modified(Modifiers),
     /// An axis or plane to hold to, or to hold to no longer.
     Constrain(Constraint),
-    /// A letter of a number, while something is dragged.
+    /// A letter of a number, while the button is down on something.
     Typed(char),
     /// The last letter is taken back.
     Backspace,
@@ -347,9 +347,16 @@ impl Hands {
         Reaction { requests: vec![Request::PreviewAll(commands)], chosen: None }
     }
 
+    /// A number may be typed as soon as the button is down; it counts once there is a way to go.
     fn typing(&mut self, stage: &Stage, change: impl FnOnce(&mut Typed) -> bool) -> Reaction {
+        let mut typed = self.dragging().map_or_else(Typed::default, |dragging| dragging.typed.clone());
+        if !change(&mut typed) {
+            return Reaction::default();
+        }
+        self.begin(stage);
         let State::Dragging(dragging) = &mut self.state else { return Reaction::default() };
-        if change(&mut dragging.typed) { self.follow(stage) } else { Reaction::default() }
+        dragging.typed = typed;
+        self.follow(stage)
     }
 
     /// A gesture may have been ended from elsewhere: by undo, by another pose. Then the drag is over, too.

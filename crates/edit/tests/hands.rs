@@ -282,6 +282,30 @@ fn the_ring_on_the_ground_turns_the_figure_where_it_stands() {
 }
 
 #[test]
+fn a_number_may_be_typed_before_the_pointer_has_moved() {
+    let mut table = table();
+    table.selected = Some(Bone::LeftLowerArm);
+    let before = table.pose().angles(Bone::LeftLowerArm).flexion;
+    let ring = table.knob(Knob::Turn(Bone::LeftLowerArm, Dof::Flexion));
+    table.tell(Event::Pressed(ring));
+    for letter in ['x', '1', '0'] {
+        table.tell(Event::Typed(letter));
+        assert_eq!(table.hands.is_dragging(), letter != 'x', "{letter}");
+    }
+    assert!((table.pose().angles(Bone::LeftLowerArm).flexion - before - 10.0).abs() < 1e-9);
+    table.tell(Event::Cancel);
+    table.tell(Event::Released);
+    let at = table.skin_of(Bone::LeftHand);
+    table.tell(Event::Pressed(at));
+    table.tell(Event::Typed('4'));
+    let Reacher::Point(bone, point) = table.pose().limb(Limb::LeftArm).reacher else { panic!("not grabbed") };
+    let place = |table: &Table| table.editor.evaluation().frames[bone].point(point);
+    let first = place(&table);
+    table.tell(Event::Moved(at + vec2(0.0, -12.0)));
+    assert!(((place(&table) - first).length() - 0.04).abs() < 1e-9, "as soon as there is a way to go");
+}
+
+#[test]
 fn a_typed_distance_goes_along_the_axis_or_the_way_that_was_begun() {
     let mut table = table();
     let at = table.skin_of(Bone::LeftHand);

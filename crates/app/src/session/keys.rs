@@ -12,7 +12,7 @@ impl Session {
         if ui.ctx().text_edit_focused() {
             return;
         }
-        let mut dragging = self.editor.in_gesture() || self.viewport.telling().is_some();
+        let mut dragging = self.editor.in_gesture() || self.viewport.holds();
         for event in ui.input(|i| i.events.clone()) {
             // A slow frame may bring the end of a drag together with the key that came after it.
             dragging &= !matches!(event, Event::PointerButton { pressed: false, .. });

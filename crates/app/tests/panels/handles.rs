@@ -160,3 +160,30 @@ fn a_key_that_comes_with_the_end_of_a_drag_is_not_lost() {
     assert_eq!(hand.state().panels.selected(), Some(Bone::LeftHand));
     assert_eq!((pose(&hand), steps(&hand)), (turned, depth + 1), "the drag is kept as one step");
 }
+
+#[test]
+fn a_digit_while_the_button_is_down_on_the_figure_is_for_the_drag_and_not_for_the_view() {
+    let mut hand = choosing(Bone::LeftLowerArm);
+    let camera = hand.state().viewport.camera;
+    let ring = place_of(&hand, "turn leftLowerArm flexion");
+    hand.hover_at(ring);
+    hand.step();
+    hand.drag_at(ring);
+    hand.step();
+    let before = pose(&hand).angles(Bone::LeftLowerArm).flexion;
+    key(&mut hand, Key::Num1, true);
+    key(&mut hand, Key::Num1, false);
+    assert_eq!(hand.state().viewport.camera, camera, "1 is the view from the front otherwise");
+    hand.event(Event::Text("1".to_owned()));
+    hand.step();
+    assert!((pose(&hand).angles(Bone::LeftLowerArm).flexion - before - 1.0).abs() < 1e-6);
+    key(&mut hand, Key::Escape, true);
+    key(&mut hand, Key::Num1, true);
+    key(&mut hand, Key::Num1, false);
+    assert_eq!(hand.state().viewport.camera, camera, "the button is still down");
+    hand.drop_at(ring);
+    hand.run();
+    key(&mut hand, Key::Num1, true);
+    key(&mut hand, Key::Num1, false);
+    assert_ne!(hand.state().viewport.camera, camera);
+}
