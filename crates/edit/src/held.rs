@@ -232,9 +232,14 @@ impl Held {
     }
 }
 
+/// The ring of a joint; that of a locked one does not turn.
 fn ring(editor: &Editor, bone: Bone, dof: rig::Dof) -> Option<Ring> {
-    let (frames, ranges) = (&editor.evaluation().frames, editor.document().ranges);
-    Ring::of(editor.figure(), editor.pose(), frames, bone, dof, ranges)
+    let (frames, document) = (&editor.evaluation().frames, editor.document());
+    let mut ring = Ring::of(editor.figure(), &document.pose, frames, bone, dof, document.ranges)?;
+    if document.locks.contains(bone) {
+        ring.range_rad = [0.0; 2];
+    }
+    Some(ring)
 }
 
 fn surfaces(editor: &Editor, skin: &PosedSkin, limb: Limb, at: rig::Articulator) -> Surfaces {

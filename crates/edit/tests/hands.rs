@@ -282,6 +282,20 @@ fn the_ring_on_the_ground_turns_the_figure_where_it_stands() {
 }
 
 #[test]
+fn the_ring_of_a_locked_joint_has_no_way_to_go() {
+    let mut table = table();
+    table.submit(Request::Lock(Bone::LeftLowerArm, true));
+    table.selected = Some(Bone::LeftLowerArm);
+    let before = table.pose();
+    let ring = table.knob(Knob::Turn(Bone::LeftLowerArm, Dof::Flexion));
+    table.hold(ring, vec2(30.0, 20.0));
+    assert_eq!(table.hands.turned().unwrap().range_rad, Some([0.0; 2]));
+    assert_eq!(table.pose(), before);
+    table.tell(Event::Released);
+    assert_eq!(table.pose(), before);
+}
+
+#[test]
 fn a_number_may_be_typed_before_the_pointer_has_moved() {
     let mut table = table();
     table.selected = Some(Bone::LeftLowerArm);

@@ -24,9 +24,14 @@ impl Sheet<'_> {
         }
     }
 
+    /// A joint's sliders; a locked one can't leave its angles.
     fn sliders(&self, bone: Bone) -> Vec<rig::Slider> {
         let document = self.editor.document();
-        rig::sliders(self.editor.figure(), &document.pose, bone, document.ranges)
+        let mut sliders = rig::sliders(self.editor.figure(), &document.pose, bone, document.ranges);
+        if self.is_locked(bone) {
+            sliders.iter_mut().for_each(|slider| slider.range = Interval::new(slider.value, slider.value));
+        }
+        sliders
     }
 
     fn turn_row(&mut self, ui: &mut Ui, bone: Bone, slider: &rig::Slider, joint_name: &str) {
@@ -124,7 +129,9 @@ impl Sheet<'_> {
     fn range_words(&self, bone: Bone, slider: &rig::Slider) -> String {
         let words = labels::meaning(bone, slider.dof);
         let Interval { min, max } = slider.range;
-        let open = if min.is_finite() && max.is_finite() {
+        let open = if self.is_locked(bone) {
+            "locked where it is".to_owned()
+        } else if min.is_finite() && max.is_finite() {
             format!("{min:.0}° to {max:.0}° from here")
         } else {
             "no range".to_owned()

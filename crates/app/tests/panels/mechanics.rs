@@ -8,7 +8,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::DVec3;
 use rig::{Bone, Dof, Limb, Mechanics, Part, Side, Space};
 
-use crate::hand::{Hand, at, click, drag, pose, set, set_number, slider_center, steps, undo};
+use crate::hand::{
+    ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, set_number, slider_center, steps, undo,
+};
 
 /// The curl that the pose shows.
 fn curl(hand: &Hand, finger: Option<edit::Finger>) -> f64 {
@@ -130,4 +132,16 @@ fn with_symmetry_a_row_of_one_hand_acts_on_both() {
     }
     assert!(found.angles(Bone::RightThumbProximal).flexion > 20.0);
     assert_eq!(steps(&hand), 2);
+}
+
+#[test]
+fn the_row_of_a_locked_joint_says_so() {
+    let mut hand = at(LEFT_ARM);
+    hand.state_mut().submit(Request::Lock(Bone::LeftLowerArm, true));
+    hand.run();
+    hand.hover_at(slider_center(&hand, ELBOW));
+    for _ in 0..20 {
+        hand.step();
+    }
+    hand.get_by_label_contains("locked where it is");
 }
