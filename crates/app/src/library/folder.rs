@@ -57,15 +57,21 @@ pub fn checked<'a>(name: &str, mut taken: impl Iterator<Item = &'a str>) -> Resu
         return Err("A name neither begins nor ends with a dot".to_owned());
     }
     let low = name.to_lowercase();
-    let device = ["con", "prn", "aux", "nul"].contains(&low.as_str())
-        || (low.len() == 4 && (low.starts_with("com") || low.starts_with("lpt")));
-    if device {
+    if is_device(&low) {
         return Err(format!("\"{name}\" is a device on some systems"));
     }
     match taken.find(|other| other.to_lowercase() == low) {
         Some(other) => Err(format!("There is a pose called \"{other}\"")),
         None => Ok(name.to_owned()),
     }
+}
+
+/// Whether a file of that name in lower case is a device on some systems, whatever its ending.
+fn is_device(low: &str) -> bool {
+    let stem = low.split('.').next().unwrap_or(low).trim_end();
+    let port = stem.strip_prefix("com").or(stem.strip_prefix("lpt"));
+    ["con", "prn", "aux", "nul"].contains(&stem)
+        || port.is_some_and(|number| number.len() == 1 && number.chars().all(|c| c.is_ascii_digit()))
 }
 
 /// Adds a pose under a checked name; returns its path.
@@ -148,8 +154,12 @@ mod tests {
         assert_eq!(check(" Deep bow ").unwrap(), "Deep bow");
         assert_eq!(check("deep bow.pose.ron").unwrap(), "deep bow");
         assert!(check("thinker").unwrap_err().contains("\"Thinker\""));
-        for bad in ["", "  ", "a/b", "..", ".hidden", "a\u{7}", "nul", "COM1", &"x".repeat(61)] {
+        let devices = ["nul", "COM1", "lpt9", "con.bow"];
+        for bad in ["", "  ", "a/b", "..", ".hidden", "a\u{7}", &"x".repeat(61)].into_iter().chain(devices) {
             assert!(check(bad).is_err(), "{bad:?}");
+        }
+        for good in ["Comb", "come", "Contact", "comb2"] {
+            assert_eq!(check(good).unwrap(), good);
         }
     }
 
