@@ -8,10 +8,13 @@ use image::imageops::FilterType;
 use render::Image;
 
 use crate::failure::Failure;
-use crate::theme;
+use crate::{disk, theme};
 
 /// Larger pictures are made smaller when they are loaded: no view shows more.
 const GREATEST_EDGE: u32 = 2048;
+
+/// The largest file that is read, bytes.
+const LARGEST_FILE: u64 = 256 << 20;
 
 /// The picture and how much of it shows.
 #[derive(Clone, Debug)]
@@ -64,7 +67,7 @@ impl Backdrop {
 
 fn load(path: &Path) -> Result<Image, Failure> {
     let fault = |why: String| Failure::Input(format!("{}: {why}", path.display()));
-    let bytes = std::fs::read(path).map_err(|e| fault(e.to_string()))?;
+    let bytes = disk::read_bytes(path, LARGEST_FILE)?;
     let decoded = image::load_from_memory(&bytes)
         .map_err(|e| fault(format!("this is no PNG or JPEG that can be read ({e})")))?;
     let large = decoded.width().max(decoded.height()) > GREATEST_EDGE;
