@@ -214,3 +214,34 @@ fn a_background_image_is_behind_the_figure_and_the_light_look_is_light() {
     assert!(seen(&mut hand, air)[1] > dark[1] + 80, "{dark:?}");
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+#[test]
+fn a_window_without_room_breaks_nothing() {
+    let mut hand = at(Section::Figure);
+    hand.state_mut().viewport.side_view = true;
+    hand.state_mut().viewport.toggle_picture_camera();
+    hand.state_mut().panels.select(Some(Bone::LeftLowerArm));
+    hand.run();
+    let before = pose(&hand);
+    for size in [vec2(1.0, 1.0), vec2(0.0, 0.0), vec2(345.0, 30.0), vec2(2000.0, 2.0)] {
+        hand.set_size(size);
+        hand.run();
+        for key in [Key::F, Key::Home, Key::Num1, Key::Num0] {
+            hand.key_press(key);
+            hand.run();
+        }
+        let middle = hand.state().viewport.rect().center();
+        drag(&mut hand, middle, &[middle + vec2(3.0, 2.0), middle + vec2(40.0, 1.0)]);
+        let camera = camera(&hand);
+        assert!(camera.target.is_finite() && camera.distance.is_finite() && camera.distance > 0.0, "{size}");
+        assert!(camera.yaw_rad.is_finite() && camera.pitch_rad.is_finite(), "{size}: {camera:?}");
+    }
+    hand.set_size(vec2(1280.0, 1400.0));
+    hand.run();
+    hand.key_press(Key::Home);
+    hand.run();
+    let head = hand.state().editor().evaluation().frames[Bone::Head].position;
+    let seen = hand.state().viewport.window_of(head).unwrap();
+    assert!(hand.state().viewport.rect().contains(seen), "{seen}");
+    assert_eq!(pose(&hand), before);
+}
