@@ -77,7 +77,7 @@ impl Settling<'_> {
     /// the target, so that there the elevation is the feasible one nearest to the goal's, as it is within range.
     fn calm(&self, missed: f64) -> f64 {
         let aside = (missed - self.gap).max(0.0);
-        CALM_M * aside / (aside + 0.1)
+        CALM_M * aside / (aside + 0.02)
     }
 
     /// Joints in range from which no small step leads nearer; the rounds bound the work.

@@ -261,7 +261,7 @@ impl<'a> Grip<'a> {
         let held = held.map_err(|why| GestureError::Degenerate { limb: self.rig.limb, why })?;
         let Some(state) = held.filter(|_| !self.rig.root_locked) else { return Ok(false) };
         self.rig.write(self.figure, pose, &state);
-        Ok(self.place(pose, frames, at.bone, at.at).distance(target_in_world) <= MET)
+        Ok(self.place(pose, frames, at.bone, at.at).distance(target_in_world) <= 1e-3 * MET)
     }
 
     /// The twist of the lower segment, degrees.
