@@ -1,36 +1,108 @@
-//! Applying a command to a document: each arm only hands over to the figure's gestures.
+//! Applying commands to a document: each arm only hands over to the figure's gestures.
 
 use glam::DVec3;
 use rig::{
-    Contact, Figure, GestureError, Limb, Mechanics, Moved, Pose, PosePatch, Reacher, Space, Target, evaluate,
-    frames,
+    Contact, Evaluation, Figure, GestureError, Limb, Locks, Mechanics, Moved, Pose, PosePatch, Reacher,
+    Space, Target, frames,
 };
 
-use crate::editor::{Document, Outcome};
+use crate::editor::{Document, Outcome, evaluated};
+use crate::symmetry::{evened, mirrored};
 use crate::telling::words;
 use crate::{At, By, Command, Files, Goal, Hold, Rejected};
 
-/// A document after a command, and what is to be said of it.
+/// A document after commands, what it comes to, and what is to be said of it.
 pub(crate) struct Applied {
     pub document: Document,
+    pub evaluation: Evaluation,
     pub outcome: Outcome,
 }
 
-/// Applies a command, or says why it can't be done; the document given is never changed.
+/// What one command made of a document.
+struct Change {
+    document: Document,
+    clamped: bool,
+    /// Where it brings a limb.
+    goal: Option<(Limb, DVec3)>,
+}
+
+impl Applied {
+    fn new(
+        figure: &Figure,
+        document: Document,
+        clamped: bool,
+        goals: &[(Limb, DVec3)],
+        told: String,
+    ) -> Applied {
+        let evaluation = evaluated(figure, &document);
+        let missed = missed(&evaluation, goals);
+        let message = message(told, &missed);
+        Applied { document, evaluation, outcome: Outcome { message, clamped, missed } }
+    }
+}
+
+/// Applies commands one after another, each followed by its twin while symmetry is on, or says why they can't be done;
+/// the document given is never changed. A twin that can't be done is left out, and the message says so.
 pub(crate) fn apply(
+    figure: &Figure,
+    first: &Document,
+    commands: &[Command],
+    files: &mut dyn Files,
+) -> Result<Applied, Rejected> {
+    let mut document = first.clone();
+    let (mut clamped, mut goals, mut not_mirrored) = (false, Vec::new(), String::new());
+    for command in commands {
+        let twin = first.symmetry.then(|| mirrored(figure, &document.pose, command)).flatten();
+        let before = twin.as_ref().map(|_| document.pose.clone());
+        let one = change(figure, &document, command, files)?;
+        document = one.document;
+        clamped |= one.clamped;
+        goals = one.goal.into_iter().collect();
+        match twin.map(|twin| change(figure, &document, &twin, files)) {
+            Some(Ok(both)) => {
+                let even = before.and_then(|before| evened(&before, &document.pose, &both.document.pose));
+                document = both.document;
+                document.pose = even.unwrap_or(document.pose);
+                clamped |= both.clamped;
+                goals.extend(both.goal);
+            }
+            Some(Err(why)) => not_mirrored = format!("; not mirrored: {why}"),
+            None => {}
+        }
+    }
+    let told = match (joints_turned(commands), commands.last()) {
+        (Some(count), _) => format!("Turned {count} joints"),
+        (None, last) => last.map_or_else(String::new, Command::told),
+    };
+    let mut applied = Applied::new(figure, document, clamped, &goals, told);
+    applied.outcome.message += &not_mirrored;
+    Ok(applied)
+}
+
+/// How many joints commands turn that do nothing else; `None` for one joint.
+fn joints_turned(commands: &[Command]) -> Option<usize> {
+    let joint = |command: &Command| match command {
+        Command::Turn { joint, .. } => Some(*joint),
+        _ => None,
+    };
+    let joints: Locks = commands.iter().map(joint).collect::<Option<Locks>>()?;
+    Some(joints.iter().count()).filter(|count| *count > 1)
+}
+
+/// Applies one command.
+fn change(
     figure: &Figure,
     document: &Document,
     command: &Command,
     files: &mut dyn Files,
-) -> Result<Applied, Rejected> {
+) -> Result<Change, Rejected> {
     let goal = goal_in_world(figure, &document.pose, command);
     let locked = locked(figure, document);
     let rules = Rules::of(document);
     let Moved { pose, clamped } = match command {
         Command::Ranges { on } => {
             let document = Document { ranges: *on, ..document.clone() };
-            let message = format!("Ranges {}", if *on { "on" } else { "off" });
-            return Ok(Applied { document, outcome: Outcome { message, ..Outcome::default() } });
+            return Ok(Change { document, clamped: false, goal });
         }
         Command::ApplyPose { path, parts, amount, mirrored } => {
             let (patch, figure) =
@@ -39,10 +111,7 @@ pub(crate) fn apply(
         }
         other => gesture(locked.as_ref().unwrap_or(figure), &document.pose, other, &rules)?,
     };
-    let document = Document { pose, ..document.clone() };
-    let missed = missed(figure, &document, goal);
-    let message = message(command, &missed);
-    Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
+    Ok(Change { document: Document { pose, ..document.clone() }, clamped, goal })
 }
 
 /// What gestures have to heed besides the figure.
@@ -87,10 +156,8 @@ pub(crate) fn paste(
     let Moved { pose, clamped } =
         rig::apply_patch(locked.as_ref().unwrap_or(figure), &document.pose, &patch, &[], 1.0, ranges)?;
     let count = patch.joints.len();
-    let message = format!("Pasted {count} {}", if count == 1 { "joint" } else { "joints" });
-    let document = Document { pose, ..document.clone() };
-    let missed = missed(figure, &document, None);
-    Ok(Applied { document, outcome: Outcome { message, clamped, missed } })
+    let told = format!("Pasted {count} {}", if count == 1 { "joint" } else { "joints" });
+    Ok(Applied::new(figure, Document { pose, ..document.clone() }, clamped, &[], told))
 }
 
 impl From<GestureError> for Rejected {
@@ -222,24 +289,20 @@ fn read(figure: &Figure, from: &str, text: &str, mirrored: bool) -> Result<PoseP
     Ok(if mirrored { rig::mirrored_patch(&patch) } else { patch })
 }
 
-/// Limbs that missed their contact or the gesture's goal by more than a hundredth of a millimetre.
-fn missed(figure: &Figure, document: &Document, goal: Option<(Limb, DVec3)>) -> Vec<(Limb, f64)> {
-    let evaluation = evaluate(figure, &document.pose, document.ranges);
+/// Limbs that missed their contact, or a gesture's goal, by more than a hundredth of a millimetre.
+fn missed(evaluation: &Evaluation, goals: &[(Limb, DVec3)]) -> Vec<(Limb, f64)> {
     let of = |limb: Limb| {
         let view = &evaluation.limbs[limb.index()];
-        match goal {
-            Some((aimed, at)) if aimed == limb => view.articulator.distance(at),
-            _ => view.residual,
-        }
+        let goal = goals.iter().find(|(aimed, _)| *aimed == limb);
+        goal.map_or(view.residual, |(_, at)| view.articulator.distance(*at))
     };
     Limb::ALL.into_iter().map(|limb| (limb, of(limb))).filter(|(_, off)| *off > 1e-5).collect()
 }
 
-fn message(command: &Command, missed: &[(Limb, f64)]) -> String {
-    let mut message = command.told();
+fn message(mut told: String, missed: &[(Limb, f64)]) -> String {
     for (limb, off) in missed {
-        message += &format!("; {} is {:.1} mm off its target", words(limb.name()), off * 1000.0);
+        told += &format!("; {} is {:.1} mm off its target", words(limb.name()), off * 1000.0);
     }
-    let mut letters = message.chars();
+    let mut letters = told.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
-use crate::symmetry::{evened, mirrored, twin_of};
+use crate::symmetry::twin_of;
 use crate::telling::words;
 use crate::{Command, Files, Rejected};
 
@@ -186,9 +186,8 @@ impl Editor {
             Request::Redo => Ok(self.redo()),
             Request::Open(pose) => Ok(self.open(*pose)),
             Request::Paste { text, mirrored } => {
-                let Applied { document, outcome } = paste(&self.figure, &self.document, &text, mirrored)?;
-                self.step(document, "Paste");
-                Ok(outcome)
+                let applied = paste(&self.figure, &self.document, &text, mirrored)?;
+                Ok(self.step_to(applied, "Paste"))
             }
             Request::Mechanics(mechanics) => Ok(self.set_mechanics(mechanics)),
             Request::Lock(bone, on) => self.lock(bone, on),
@@ -200,10 +199,8 @@ impl Editor {
     }
 
     fn run(&mut self, command: &Command, files: &mut dyn Files) -> Result<Outcome, Rejected> {
-        let Applied { document, outcome } =
-            both_sides(&self.figure, &self.document, std::slice::from_ref(command), files)?;
-        self.step(document, command.name());
-        Ok(outcome)
+        let applied = apply(&self.figure, &self.document, std::slice::from_ref(command), files)?;
+        Ok(self.step_to(applied, command.name()))
     }
 
     fn preview(&mut self, commands: &[Command], files: &mut dyn Files) -> Result<Outcome, Rejected> {
@@ -214,11 +211,11 @@ impl Editor {
             }
             return Ok(Outcome::default());
         };
-        let Applied { document, outcome } = both_sides(&self.figure, self.first(), commands, files)?;
+        let Applied { document, evaluation, outcome } = apply(&self.figure, self.first(), commands, files)?;
         if self.gesture.is_none() {
             self.gesture = Some(Step { document: self.document.clone(), name: last.name().to_owned() });
         }
-        self.show(document);
+        self.show_evaluated(document, evaluation);
         Ok(outcome)
     }
 
@@ -244,9 +241,15 @@ impl Editor {
 
     /// Makes a document the next step; a gesture under way is committed first.
     fn step(&mut self, document: Document, name: &str) {
+        let evaluation = evaluated(&self.figure, &document);
+        self.step_to(Applied { document, evaluation, outcome: Outcome::default() }, name);
+    }
+
+    fn step_to(&mut self, applied: Applied, name: &str) -> Outcome {
         self.commit();
         self.push(Step { document: self.document.clone(), name: name.to_owned() });
-        self.show(document);
+        self.show_evaluated(applied.document, applied.evaluation);
+        applied.outcome
     }
 
     fn commit(&mut self) -> Outcome {
@@ -301,14 +304,19 @@ impl Editor {
     }
 
     fn show(&mut self, document: Document) {
-        self.evaluation = evaluated(&self.figure, &document);
+        let evaluation = evaluated(&self.figure, &document);
+        self.show_evaluated(document, evaluation);
+    }
+
+    fn show_evaluated(&mut self, document: Document, evaluation: Evaluation) {
+        self.evaluation = evaluation;
         self.document = document;
         self.revision += 1;
     }
 }
 
 /// What a document comes to. A limb whose root is locked has no elevation to go to.
-fn evaluated(figure: &Figure, document: &Document) -> Evaluation {
+pub(crate) fn evaluated(figure: &Figure, document: &Document) -> Evaluation {
     let mut evaluation = rig::evaluate(figure, &document.pose, document.ranges);
     for limb in rig::Limb::ALL.into_iter().filter(|limb| document.locks.contains(limb.parts().root)) {
         let view = &mut evaluation.limbs[limb.index()];
@@ -319,50 +327,4 @@ fn evaluated(figure: &Figure, document: &Document) -> Evaluation {
 
 fn told(message: String) -> Outcome {
     Outcome { message, ..Outcome::default() }
-}
-
-/// Applies commands one after another, each followed by its twin while symmetry is on. A twin that can't be done is
-/// left out, and the message says so.
-fn both_sides(
-    figure: &Figure,
-    first: &Document,
-    commands: &[Command],
-    files: &mut dyn Files,
-) -> Result<Applied, Rejected> {
-    let mut document = first.clone();
-    let mut outcome = Outcome::default();
-    for command in commands {
-        let twin = first.symmetry.then(|| mirrored(figure, &document.pose, command)).flatten();
-        let before = twin.as_ref().map(|_| document.pose.clone());
-        let applied = apply(figure, &document, command, files)?;
-        let clamped = outcome.clamped || applied.outcome.clamped;
-        (document, outcome) = (applied.document, Outcome { clamped, ..applied.outcome });
-        match twin.map(|twin| apply(figure, &document, &twin, files)) {
-            Some(Ok(other)) => {
-                let pose = before.and_then(|before| evened(&before, &document.pose, &other.document.pose));
-                document = other.document;
-                document.pose = pose.unwrap_or(document.pose);
-                outcome.clamped |= other.outcome.clamped;
-                let known = outcome.missed.clone();
-                let new = |(limb, _): &(rig::Limb, f64)| known.iter().all(|(other, _)| other != limb);
-                outcome.missed.extend(other.outcome.missed.into_iter().filter(new));
-            }
-            Some(Err(why)) => outcome.message += &format!("; not mirrored: {why}"),
-            None => {}
-        }
-    }
-    if let Some(count) = joints_turned(commands) {
-        outcome.message = format!("Turned {count} joints");
-    }
-    Ok(Applied { document, outcome })
-}
-
-/// How many joints commands turn that do nothing else; `None` for one joint.
-fn joints_turned(commands: &[Command]) -> Option<usize> {
-    let joint = |command: &Command| match command {
-        Command::Turn { joint, .. } => Some(*joint),
-        _ => None,
-    };
-    let joints: Locks = commands.iter().map(joint).collect::<Option<Locks>>()?;
-    Some(joints.iter().count()).filter(|count| *count > 1)
 }
