@@ -29,7 +29,6 @@ use picture::Picture;
 pub use picture::install;
 
 use crate::keymap::Keymap;
-use crate::labels;
 
 /// How the figure is looked at, and the gesture in the picture.
 #[derive(Clone, Debug)]
@@ -150,7 +149,7 @@ impl Viewport {
 
     /// What a drag of the figure is doing and which keys change it; `None` while there is none.
     pub fn telling(&self) -> Option<String> {
-        self.hands.telling(&labels::full)
+        pointer::told_with(&self.keymap, |words| self.hands.telling(words))
     }
 
     /// Whether the pointer has hold of the figure, or its button is still down after a drag that ended: keys are for it.

@@ -45,7 +45,7 @@ pub use fingers::{Finger, curl, set_curl, set_spread, spread};
 pub use gaze::{eye_point, eyes, gaze_point, set_eyes};
 pub use grab::{Grab, Handle};
 pub use hands::{Event, Hands, Reaction, Stage};
-pub use hands_telling::{Named, Turned};
+pub use hands_telling::{Turned, Words};
 pub use knob::{Knob, Placed, Shape};
 pub use marked_joints::marked_joints;
 pub use navigate::{Button, Keys, Motion, Navigator, Preset, Step, ViewEvent};

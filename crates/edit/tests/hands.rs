@@ -7,7 +7,7 @@ mod stage;
 use edit::{At, Axis, Command, Constraint, Event, Hold, Knob, Mark, Modifiers, Request};
 use glam::{DVec3, Vec2, vec2};
 use rig::{Bone, Contact, Dof, Limb, Pose, Reacher, Space, View};
-use stage::{Table, figure};
+use stage::{Table, figure, words};
 
 fn table() -> Table {
     Table::new(figure())
@@ -131,7 +131,7 @@ fn a_number_typed_on_a_ring_is_degrees_and_enter_keeps_it() {
     }
     let flexion = |table: &Table| table.pose().angles(Bone::LeftLowerArm).flexion;
     assert!((flexion(&table) - 67.5).abs() < 1e-9, "{}", flexion(&table));
-    let telling = table.hands.telling(&|bone| bone.name().to_owned()).unwrap();
+    let telling = table.hands.telling(&words()).unwrap();
     assert!(telling.contains("by -12.5°"), "{telling}");
     for _ in 0..3 {
         table.tell(Event::Backspace);
@@ -339,10 +339,36 @@ fn a_typed_distance_goes_along_the_axis_or_the_way_that_was_begun() {
     assert!((moved - DVec3::X * 0.03).length() < 1e-9, "{moved}");
     table.tell(Event::Typed('-'));
     assert!((place(&table) - first + DVec3::X * 0.03).length() < 1e-9);
-    let telling = table.hands.telling(&|bone| bone.name().to_owned()).unwrap();
+    let telling = table.hands.telling(&words()).unwrap();
     assert!(telling.starts_with("Left arm reaches -3 cm along X"), "{telling}");
     table.tell(Event::Moved(at + vec2(40.0, 40.0)));
     assert!((place(&table) - first + DVec3::X * 0.03).length() < 1e-9, "the number rules");
+}
+
+#[test]
+fn a_drag_names_the_keys_that_the_user_has() {
+    let mut table = table();
+    let at = table.skin_of(Bone::LeftHand);
+    table.hold(at, vec2(0.0, -12.0));
+    assert!(table.hands.telling(&words()).unwrap().contains("X Y Z: along an axis, with Shift across it"));
+    let only_up = |constraint| match constraint {
+        Constraint::Along(Axis::Y) => "U".to_owned(),
+        _ => String::new(),
+    };
+    let own = edit::Words { key: &only_up, in_contact: "", ..words() };
+    assert!(table.hands.telling(&own).unwrap().contains(" · U: along an axis · "));
+    table.tell(Event::Constrain(Constraint::Along(Axis::Y)));
+    assert!(table.hands.telling(&own).unwrap().contains(" · U again: freely · "));
+    table.tell(Event::Constrain(Constraint::Along(Axis::X)));
+    assert!(!table.hands.telling(&own).unwrap().contains("freely"), "no key, no hint");
+    table.tell(Event::Cancel);
+    table.tell(Event::Released);
+    table.selected = Some(Bone::LeftLowerArm);
+    let ring = table.knob(Knob::Turn(Bone::LeftLowerArm, Dof::Flexion));
+    table.tell(Event::Moved(ring));
+    let offered = |words: edit::Words| table.hands.offering(&table.stage(), &words).unwrap();
+    assert!(offered(words()).contains("C: about the contact"));
+    assert!(!offered(own).contains("about the contact"));
 }
 
 #[test]

@@ -13,7 +13,7 @@ use edit::{
 };
 use glam::{DVec3, Vec2};
 use rig::{Bone, Dof, Figure, Joint, Limb, LimbRigs, Locks, Mechanics, Part, Side, Skeleton};
-use stage::{Table, figure};
+use stage::{Table, figure, words};
 
 /// The mannequin without a bone and all that hangs on it.
 fn without(bone: Bone, skin: bool) -> Arc<Figure> {
@@ -66,13 +66,13 @@ fn handle(table: &mut Table, at: Vec2, lacks: Bone) {
     ] {
         table.modified(modifiers);
         table.hold(at, Vec2::new(60.0, -45.0));
-        table.hands.telling(&|bone| bone.name().to_owned());
+        table.hands.telling(&words());
         table.tell(Event::Constrain(Constraint::Along(Axis::X)));
         table.tell(Event::Typed('9'));
         check(table, lacks);
         table.tell(Event::Released);
         table.click(at);
-        table.hands.offering(&table.stage(), &|bone| bone.name().to_owned());
+        table.hands.offering(&table.stage(), &words());
         check(table, lacks);
     }
     table.modified(Modifiers::default());

@@ -1,10 +1,10 @@
 //! Egui's input in the words of the hands and the navigator.
 
-use edit::{Axis, Choose, Constraint, Editor, Event as Did, Mark, Reaction, Selection};
+use edit::{Axis, Choose, Constraint, Editor, Event as Did, Mark, Reaction, Selection, Words};
 use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 
 use super::{Asked, Viewport};
-use crate::action::Action;
+use crate::action::{Action, Group};
 use crate::keymap::Keymap;
 use crate::labels;
 use crate::panels::way_of_click;
@@ -43,7 +43,7 @@ impl Viewport {
             tell(self, seen.map_or(Did::Left, |at| Did::Moved(self.inside(at))));
         }
         let stage = self.stage(editor, selection.active());
-        self.offering = self.hands.offering(&stage, &labels::full);
+        self.offering = told_with(&self.keymap, |words| self.hands.offering(&stage, words));
         self.show_cursor(ui);
         if told != (self.telling(), self.offering.clone(), self.hands.knob()) {
             // The status line has been drawn already.
@@ -153,6 +153,16 @@ fn keys(ui: &Ui, holds: bool, keymap: &Keymap) -> Vec<Did> {
     let constrained = ui.input(|i| keymap.of_drag(i));
     all.extend(constrained.into_iter().filter_map(constraint).map(Did::Constrain));
     all
+}
+
+/// Tells something in the user's words: the panel's names of joints, the keymap's keys.
+pub(super) fn told_with<T>(keymap: &Keymap, tell: impl FnOnce(&Words) -> T) -> T {
+    let key = |wanted: Constraint| {
+        let action = Action::of_group(Group::Drag).find(|action| constraint(*action) == Some(wanted));
+        action.map_or_else(String::new, |action| keymap.shown(action))
+    };
+    let in_contact = keymap.shown(Action::TurnInContact);
+    tell(&Words { joint: &labels::full, key: &key, in_contact: &in_contact })
 }
 
 fn constraint(action: Action) -> Option<Constraint> {

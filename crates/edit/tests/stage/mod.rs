@@ -4,7 +4,9 @@
 
 use std::sync::Arc;
 
-use edit::{Editor, Event, Hands, Knob, Mark, Modifiers, NoFiles, Reaction, Request, Sight, Stage};
+use edit::{
+    Constraint, Editor, Event, Hands, Knob, Mark, Modifiers, NoFiles, Reaction, Request, Sight, Stage, Words,
+};
 use glam::{DVec3, Vec2};
 use rig::{Bone, Camera, Figure, Pose, View};
 
@@ -21,6 +23,16 @@ pub struct Table {
     pub sight: Sight,
     pub selected: Option<Bone>,
     pub marks: bool,
+}
+
+/// Bones by their names in files, keys as by default.
+pub fn words() -> Words<'static> {
+    let key = &|constraint| match constraint {
+        Constraint::View => String::new(),
+        Constraint::Along(axis) => axis.name().to_owned(),
+        Constraint::Across(axis) => format!("Shift+{}", axis.name()),
+    };
+    Words { joint: &|bone| bone.name().to_owned(), key, in_contact: "C" }
 }
 
 pub fn figure() -> Arc<Figure> {
