@@ -6,10 +6,9 @@ use rig::{
     Space, Target, frames,
 };
 
-use crate::editor::{Document, Outcome, evaluated};
 use crate::symmetry::{evened, mirrored};
 use crate::telling::words;
-use crate::{At, By, Command, Files, Goal, Hold, Rejected};
+use crate::{At, By, Command, Document, Files, Goal, Hold, Outcome, Rejected};
 
 /// A document after commands, what it comes to, and what is to be said of it.
 pub(crate) struct Applied {
@@ -34,7 +33,7 @@ impl Applied {
         goals: &[(Limb, DVec3)],
         told: String,
     ) -> Applied {
-        let evaluation = evaluated(figure, &document);
+        let evaluation = document.evaluated(figure);
         let missed = missed(&evaluation, goals);
         let message = message(told, &missed);
         Applied { document, evaluation, outcome: Outcome { message, clamped, missed } }

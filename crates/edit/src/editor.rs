@@ -2,34 +2,12 @@
 
 use std::sync::Arc;
 
-use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
+use rig::{Bone, Evaluation, Figure, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
 use crate::symmetry::twin_of;
 use crate::telling::words;
-use crate::{Command, Files, Rejected};
-
-/// What is edited: the pose, and what gestures have to heed. Only the pose is saved.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Document {
-    /// The pose.
-    pub pose: Pose,
-    /// Whether joints stop at their ranges.
-    pub ranges: bool,
-    /// What gestures bring along that their names don't say: nothing, unless asked for.
-    pub mechanics: Mechanics,
-    /// Joints that keep their angles whatever the gesture.
-    pub locks: Locks,
-    /// Whether what is done on one side is done on the other, too.
-    pub symmetry: bool,
-}
-
-impl Document {
-    /// A pose with ranges on; no mechanics, locks or symmetry.
-    pub fn of(pose: Pose) -> Document {
-        Document { pose, ranges: true, mechanics: Mechanics::default(), locks: Locks::NONE, symmetry: false }
-    }
-}
+use crate::{Command, Document, Files, Outcome, Rejected};
 
 /// What can be asked of the editor.
 #[derive(Clone, PartialEq, Debug)]
@@ -67,17 +45,6 @@ pub enum Request {
     Symmetry(bool),
 }
 
-/// What a request did.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct Outcome {
-    /// One sentence for the status line.
-    pub message: String,
-    /// Whether a range, reach or contact stopped the command short.
-    pub clamped: bool,
-    /// Limbs whose goal was not met: how far their articulator is from it, metres.
-    pub missed: Vec<(rig::Limb, f64)>,
-}
-
 /// A step of history: the document before it, and its name.
 #[derive(Clone, Debug)]
 struct Step {
@@ -101,7 +68,7 @@ impl Editor {
     /// An editor with the figure at rest and every limb free.
     pub fn new(figure: Arc<Figure>) -> Editor {
         let document = Document::of(figure.rest_pose());
-        let evaluation = evaluated(&figure, &document);
+        let evaluation = document.evaluated(&figure);
         Editor {
             figure,
             document,
@@ -116,7 +83,7 @@ impl Editor {
     /// An editor with the figure in a pose, and nothing to undo.
     pub fn in_pose(figure: Arc<Figure>, pose: Pose) -> Editor {
         let document = Document::of(pose);
-        let evaluation = evaluated(&figure, &document);
+        let evaluation = document.evaluated(&figure);
         Editor { document, evaluation, ..Editor::new(figure) }
     }
 
@@ -241,7 +208,7 @@ impl Editor {
 
     /// Makes a document the next step; a gesture under way is committed first.
     fn step(&mut self, document: Document, name: &str) {
-        let evaluation = evaluated(&self.figure, &document);
+        let evaluation = document.evaluated(&self.figure);
         self.step_to(Applied { document, evaluation, outcome: Outcome::default() }, name);
     }
 
@@ -304,7 +271,7 @@ impl Editor {
     }
 
     fn show(&mut self, document: Document) {
-        let evaluation = evaluated(&self.figure, &document);
+        let evaluation = document.evaluated(&self.figure);
         self.show_evaluated(document, evaluation);
     }
 
@@ -313,16 +280,6 @@ impl Editor {
         self.document = document;
         self.revision += 1;
     }
-}
-
-/// What a document comes to. A limb whose root is locked has no elevation to go to.
-pub(crate) fn evaluated(figure: &Figure, document: &Document) -> Evaluation {
-    let mut evaluation = rig::evaluate(figure, &document.pose, document.ranges);
-    for limb in rig::Limb::ALL.into_iter().filter(|limb| document.locks.contains(limb.parts().root)) {
-        let view = &mut evaluation.limbs[limb.index()];
-        view.elevation_range = view.elevation.map(|now| [now, now]);
-    }
-    evaluation
 }
 
 fn told(message: String) -> Outcome {
