@@ -92,12 +92,6 @@ impl Keymap {
     pub fn is_held(&self, input: &InputState, action: Action) -> bool {
         self.chords(action).iter().any(|chord| input.key_down(chord.key))
     }
-
-    /// The actions of a drag whose keys were pressed in this frame; a key that repeats counts once.
-    pub fn of_drag(&self, input: &InputState) -> Vec<Action> {
-        let pressed = input.events.iter().filter_map(Pressed::of).filter(|pressed| !pressed.repeat);
-        pressed.filter_map(|pressed| self.action(pressed.chord, true)).collect()
-    }
 }
 
 impl Pressed {

@@ -17,6 +17,8 @@ mod picture_camera;
 mod pointer;
 mod side_view;
 
+use std::collections::VecDeque;
+
 use edit::{Choose, Editor, Hands, Navigator, Preset, Request, Selection, Sight, Stage};
 use egui::{Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2};
@@ -57,6 +59,8 @@ pub struct Viewport {
     hands: Hands,
     /// What it does to the view.
     navigator: Navigator,
+    /// Input that came in one frame with the end of a drag, each event with whether the picture is meant.
+    waiting: VecDeque<(egui::Event, bool)>,
     /// Whether the camera still has to be fitted to the picture's shape.
     unframed: bool,
     /// The bone to which a panel points.
@@ -99,6 +103,7 @@ impl Default for Viewport {
             balance: false,
             hands: Hands::default(),
             navigator: Navigator::default(),
+            waiting: VecDeque::new(),
             unframed: true,
             hinted: None,
             offering: None,
@@ -188,11 +193,6 @@ impl Viewport {
                 spaces
             }
         }
-    }
-
-    /// Fits the camera when the picture is next shown and its shape is known.
-    pub fn frame_soon(&mut self) {
-        self.unframed = true;
     }
 
     /// Where a point of the world is in the window, points; `None` behind the eye.

@@ -63,15 +63,12 @@ impl Viewport {
     }
 
     /// A button went down: whether the view takes the drag, which it does beside the figure and where the preset says so.
-    pub(super) fn take_view(&mut self, ui: &Ui, at: Pos2, on_figure: bool) -> bool {
-        let button = ui.input(|i| {
-            let down = |button| i.pointer.button_down(button);
-            match () {
-                () if down(PointerButton::Primary) => Button::Primary,
-                () if down(PointerButton::Middle) => Button::Middle,
-                () => Button::Secondary,
-            }
-        });
+    pub(super) fn take_view(&mut self, ui: &Ui, button: PointerButton, at: Pos2, on_figure: bool) -> bool {
+        let button = match button {
+            PointerButton::Primary => Button::Primary,
+            PointerButton::Middle => Button::Middle,
+            _ => Button::Secondary,
+        };
         let pressed = ViewEvent::Pressed { button, keys: keys(ui), at: self.inside(at), on_figure };
         self.navigate(pressed)
     }

@@ -5,7 +5,7 @@ use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui}
 
 use super::{Asked, Viewport};
 use crate::action::{Action, Group};
-use crate::keymap::Keymap;
+use crate::keymap::{Keymap, Pressed};
 use crate::labels;
 use crate::panels::way_of_click;
 
@@ -32,11 +32,8 @@ impl Viewport {
                 asked.chosen = Some(bone.map_or(Choose::None, |bone| way_of_click(ui, bone)));
             }
         };
-        tell(self, Did::Modified(modifiers(ui, &self.keymap)));
-        for did in keys(ui, self.hands.holds(), &self.keymap) {
-            tell(self, did);
-        }
-        self.buttons(ui, response, &mut tell);
+        tell(self, Did::Modified(modifiers(ui, &self.keymap, ui.input(|i| i.modifiers))));
+        self.events(ui, response, &mut tell);
         self.look_around(ui, response);
         if !self.hands.holds() {
             let seen = response.hover_pos().filter(|_| self.navigator.motion().is_none());
@@ -52,31 +49,78 @@ impl Viewport {
         asked
     }
 
-    /// Presses, moves and releases in the order in which they came; of moves that follow each other the last counts.
-    fn buttons(&mut self, ui: &Ui, response: &Response, tell: &mut dyn FnMut(&mut Viewport, Did)) {
+    /// Buttons, moves and keys in the order in which they came; of moves that follow each other the last counts. What
+    /// comes after the end of a drag waits for the next frame if it takes hold again: by then the figure has moved.
+    fn events(&mut self, ui: &Ui, response: &Response, tell: &mut dyn FnMut(&mut Viewport, Did)) {
         let ours = response.is_pointer_button_down_on()
             || response.clicked_by(PointerButton::Primary)
-            || response.drag_stopped();
-        let mut moved: Option<Pos2> = None;
-        for event in ui.input(|i| i.events.clone()) {
+            || response.drag_stopped()
+            || (response.contains_pointer() && !ui.input(|i| i.pointer.any_down()));
+        let mut events = std::mem::take(&mut self.waiting);
+        events.extend(ui.input(|i| i.events.clone()).into_iter().map(|event| (event, ours)));
+        let (mut moved, mut ended): (Option<Pos2>, bool) = (None, false);
+        while let Some((event, ours)) = events.pop_front() {
+            if ended && is_press(&event) {
+                events.push_front((event, ours));
+                ui.ctx().request_repaint();
+                break;
+            }
+            if let Event::PointerMoved(at) = event {
+                moved = Some(at);
+                continue;
+            }
+            self.move_on(moved.take(), tell);
+            let held = self.hands.is_dragging();
             match event {
-                Event::PointerMoved(at) => moved = Some(at),
-                Event::PointerButton { pos, button, pressed, .. } => {
-                    self.move_on(moved.take(), tell);
-                    match (button, pressed) {
-                        (PointerButton::Primary, true) if ours => self.press(ui, pos, tell),
-                        (PointerButton::Primary, false) => tell(self, Did::Released),
-                        (PointerButton::Secondary, true) if self.hands.holds() => tell(self, Did::Cancel),
-                        (_, true) if ours && !self.hands.holds() => {
-                            self.take_view(ui, pos, self.hovered().is_some());
-                        }
-                        _ => {}
-                    }
+                Event::PointerButton { pos, button, pressed, modifiers: with, .. } => {
+                    tell(self, Did::Modified(modifiers(ui, &self.keymap, with)));
+                    self.button(ui, pos, (button, pressed), ours, tell);
                 }
-                _ => {}
+                event => self.key(ui, &event, tell),
+            }
+            ended |= held && !self.hands.is_dragging();
+        }
+        self.waiting = events;
+        self.move_on(moved, tell);
+    }
+
+    fn button(
+        &mut self,
+        ui: &Ui,
+        at: Pos2,
+        did: (PointerButton, bool),
+        ours: bool,
+        tell: &mut dyn FnMut(&mut Viewport, Did),
+    ) {
+        match did {
+            (PointerButton::Primary, true) if ours => self.press(ui, at, tell),
+            (PointerButton::Primary, false) => tell(self, Did::Released),
+            (PointerButton::Secondary, true) if self.hands.holds() => tell(self, Did::Cancel),
+            (button, true) if ours && !self.hands.holds() => {
+                self.take_view(ui, button, at, self.hovered().is_some());
+            }
+            _ => {}
+        }
+    }
+
+    /// What a key does to something that is held; one that repeats counts once, except for letters.
+    fn key(&mut self, ui: &Ui, event: &Event, tell: &mut dyn FnMut(&mut Viewport, Did)) {
+        if !self.hands.holds() || ui.ctx().text_edit_focused() {
+            return;
+        }
+        match event {
+            Event::Text(text) => text.chars().for_each(|letter| tell(self, Did::Typed(letter))),
+            Event::Key { key: Key::Backspace, pressed: true, .. } => tell(self, Did::Backspace),
+            Event::Key { key: Key::Enter, pressed: true, repeat: false, .. } => tell(self, Did::Commit),
+            Event::Key { key: Key::Escape, pressed: true, repeat: false, .. } => tell(self, Did::Cancel),
+            event => {
+                let pressed = Pressed::of(event).filter(|pressed| !pressed.repeat);
+                let action = pressed.and_then(|pressed| self.keymap.action(pressed.chord, true));
+                if let Some(constraint) = action.and_then(constraint) {
+                    tell(self, Did::Constrain(constraint));
+                }
             }
         }
-        self.move_on(moved, tell);
     }
 
     fn move_on(&mut self, to: Option<Pos2>, tell: &mut dyn FnMut(&mut Viewport, Did)) {
@@ -90,7 +134,7 @@ impl Viewport {
     fn press(&mut self, ui: &Ui, at: Pos2, tell: &mut dyn FnMut(&mut Viewport, Did)) {
         tell(self, Did::Pressed(self.inside(at)));
         let on_figure = self.hands.holds();
-        if self.take_view(ui, at, on_figure) && on_figure {
+        if self.take_view(ui, PointerButton::Primary, at, on_figure) && on_figure {
             tell(self, Did::Cancel);
             tell(self, Did::Released);
         }
@@ -126,33 +170,15 @@ impl Viewport {
     }
 }
 
-fn modifiers(ui: &Ui, keymap: &Keymap) -> edit::Modifiers {
-    let typing = ui.ctx().text_edit_focused();
-    ui.input(|i| {
-        let Modifiers { shift, command, alt, .. } = i.modifiers;
-        let in_contact = keymap.is_held(i, Action::TurnInContact) && !command && !alt && !typing;
-        edit::Modifiers { slow: shift, snap: command, in_contact }
-    })
+fn is_press(event: &Event) -> bool {
+    matches!(event, Event::PointerButton { pressed: true, .. })
 }
 
-/// What keys do to something that is held; a key that repeats counts once, except for letters.
-fn keys(ui: &Ui, holds: bool, keymap: &Keymap) -> Vec<Did> {
-    if !holds || ui.ctx().text_edit_focused() {
-        return Vec::new();
-    }
-    let mut all = Vec::new();
-    for event in ui.input(|i| i.events.clone()) {
-        match event {
-            Event::Text(text) => all.extend(text.chars().map(Did::Typed)),
-            Event::Key { key: Key::Backspace, pressed: true, .. } => all.push(Did::Backspace),
-            Event::Key { key: Key::Enter, pressed: true, repeat: false, .. } => all.push(Did::Commit),
-            Event::Key { key: Key::Escape, pressed: true, repeat: false, .. } => all.push(Did::Cancel),
-            _ => {}
-        }
-    }
-    let constrained = ui.input(|i| keymap.of_drag(i));
-    all.extend(constrained.into_iter().filter_map(constraint).map(Did::Constrain));
-    all
+fn modifiers(ui: &Ui, keymap: &Keymap, held: Modifiers) -> edit::Modifiers {
+    let Modifiers { shift, command, alt, .. } = held;
+    let typing = ui.ctx().text_edit_focused();
+    let in_contact = ui.input(|i| keymap.is_held(i, Action::TurnInContact)) && !command && !alt && !typing;
+    edit::Modifiers { slow: shift, snap: command, in_contact }
 }
 
 /// Tells something in the user's words: the panel's names of joints, the keymap's keys.

@@ -187,3 +187,30 @@ fn a_digit_while_the_button_is_down_on_the_figure_is_for_the_drag_and_not_for_th
     key(&mut hand, Key::Num1, false);
     assert_ne!(hand.state().viewport.camera, camera);
 }
+
+#[test]
+fn a_whole_drag_within_one_frame_is_done_in_its_order() {
+    let mut hand = choosing(Bone::LeftLowerArm);
+    let depth = steps(&hand);
+    let ring = place_of(&hand, "turn leftLowerArm flexion");
+    hand.hover_at(ring);
+    hand.run();
+    let modifiers = Modifiers::NONE;
+    let button =
+        |pos, pressed| Event::PointerButton { pos, button: egui::PointerButton::Primary, pressed, modifiers };
+    let drag = |from: Pos2, typed: &str| {
+        let to = from + vec2(14.0, 10.0);
+        let text = Event::Text(typed.to_owned());
+        [button(from, true), Event::PointerMoved(to), text, button(to, false), Event::PointerMoved(from)]
+    };
+    // The second begins where the first has brought the arm.
+    let both = [drag(ring, "-10"), drag(ring, "-20")].concat();
+    hand.input_mut().events.extend(both);
+    hand.step();
+    hand.run();
+    assert_eq!(steps(&hand), depth + 2);
+    let flexion = |hand: &Hand| pose(hand).angles(Bone::LeftLowerArm).flexion.round();
+    assert_eq!(flexion(&hand), 40.0);
+    undo(&mut hand);
+    assert_eq!(flexion(&hand), 60.0);
+}
