@@ -112,11 +112,6 @@ impl Panels {
         self.balance_marks
     }
 
-    /// Shows or hides the centre of mass over the soles.
-    pub fn set_balance_marks(&mut self, on: bool) {
-        self.balance_marks = on;
-    }
-
     /// Marks the bone whose skin the pointer is on.
     pub fn light(&mut self, bone: Option<Bone>) {
         self.lit = bone;

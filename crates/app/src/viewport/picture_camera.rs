@@ -19,16 +19,10 @@ impl Viewport {
         }
     }
 
-    /// Forgets the picture camera; pictures then show the working view.
-    pub fn clear_picture_camera(&mut self) {
-        self.toggle_off_picture_camera();
-        self.picture_camera = None;
-    }
-
     /// Looks through the picture camera, or no longer; without one, the present view becomes it first.
     pub fn toggle_picture_camera(&mut self) {
-        if self.looks_through_picture_camera() {
-            self.toggle_off_picture_camera();
+        if let Some(working) = self.working.take() {
+            self.camera = working;
             return;
         }
         let camera = *self.picture_camera.get_or_insert(self.camera);
@@ -44,12 +38,6 @@ impl Viewport {
     /// The camera with which a picture is taken: the picture camera, or the working one if none is set.
     pub fn camera_for_picture(&self) -> Camera {
         self.picture_camera.unwrap_or(self.camera)
-    }
-
-    fn toggle_off_picture_camera(&mut self) {
-        if let Some(working) = self.working.take() {
-            self.camera = working;
-        }
     }
 
     /// Before the view moves by hand: it goes on from the picture camera's place with the picture camera's own lens.
