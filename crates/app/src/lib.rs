@@ -1,6 +1,7 @@
 //! Posewright, the program: command line, window and disk around the crates that do the work.
 
 mod action;
+mod choosing;
 pub mod cli;
 mod dialogs;
 pub mod disk;

@@ -9,7 +9,8 @@ use egui::{Align2, Color32, CursorIcon, FontId, Key, Pos2, Rect, Response, Role,
 use egui::{WidgetInfo, pos2, vec2};
 use rig::{Bone, Limb, Part, Side};
 
-use super::{Sheet, glyph, way_of_click};
+use super::{Sheet, glyph};
+use crate::choosing::way_of_click;
 use crate::labels;
 use crate::theme::{self, Palette};
 

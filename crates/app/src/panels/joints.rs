@@ -6,7 +6,8 @@ use kin::Interval;
 use rig::{Bone, Dof};
 
 use super::row::Ink;
-use super::{Sheet, row, way_of_click};
+use super::{Sheet, row};
+use crate::choosing::way_of_click;
 use crate::number::Number;
 use crate::rail::Rail;
 use crate::{labels, theme};

@@ -5,7 +5,8 @@ use egui::{Align2, CursorIcon, FontId, Key, Rect, Response, Role, ScrollArea, Se
 use egui::{TextEdit, UiBuilder, WidgetInfo, pos2, vec2};
 use rig::{Bone, Limb, Side};
 
-use super::{Sheet, glyph, way_of_click};
+use super::{Sheet, glyph};
+use crate::choosing::way_of_click;
 use crate::{labels, theme};
 
 /// Height of a row, points.

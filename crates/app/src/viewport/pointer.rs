@@ -5,9 +5,9 @@ use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Response, Ui}
 
 use super::{Asked, Viewport};
 use crate::action::{Action, Group};
+use crate::choosing::way_of_click;
 use crate::keymap::{Keymap, Pressed};
 use crate::labels;
-use crate::panels::way_of_click;
 
 impl Viewport {
     /// Passes on what pointer and keys did in this frame.
