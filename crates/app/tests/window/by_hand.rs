@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use app::{Session, apply_theme, load};
 use edit::Editor;
@@ -19,7 +19,7 @@ use serde_json::Value;
 use crate::program::{Window, display, xdotool};
 use crate::recording::{Driver, Key, Recording, Seen};
 
-const SESSIONS: [&str; 4] = ["thinker", "hands-on-hips", "phone-at-the-ear", "arms-crossed"];
+const SESSIONS: [&str; 4] = ["arms-crossed", "phone-at-the-ear", "hands-on-hips", "thinker"];
 /// Where a joint may be in a window of another size, metres: a pixel is 3 mm of the figure, and elbows swing farther than
 /// what they hold on to.
 const SAME_M: f64 = 0.015;
@@ -217,13 +217,28 @@ fn camera(value: &Value) -> Camera {
     }
 }
 
+impl WindowHand {
+    fn frame(&self) -> Option<u64> {
+        self.window.map()?["frame"].as_u64()
+    }
+
+    /// Waits until another frame is drawn, as a hand waits for what it sees. Where nothing changes none may come.
+    fn is_seen(&self, former: Option<u64>) {
+        let start = Instant::now();
+        while self.frame() == former && start.elapsed() < Duration::from_secs(1) {
+            sleep(Duration::from_millis(20));
+        }
+        sleep(Duration::from_millis(40));
+    }
+}
+
 impl Driver for WindowHand {
     fn seen(&mut self) -> Seen {
         let map = if self.repeating {
             sleep(Duration::from_secs(2));
             self.window.map().unwrap()
         } else {
-            self.window.at_rest()
+            self.window.still_for(Duration::from_millis(300))
         };
         let pose = rig::parse_pose(map["pose"].as_str().unwrap()).unwrap();
         let handles = map["handles"].as_object().unwrap();
@@ -237,21 +252,27 @@ impl Driver for WindowHand {
     }
 
     fn to(&mut self, at: Vec2) {
+        let frame = self.frame();
         self.window.to([f64::from(at.x), f64::from(at.y)]);
+        self.is_seen(frame);
     }
 
     fn press(&mut self) {
+        let frame = self.frame();
         xdotool(&["mousedown", "1"]);
-        sleep(Duration::from_millis(150));
+        self.is_seen(frame);
     }
 
     fn release(&mut self) {
+        let frame = self.frame();
         xdotool(&["mouseup", "1"]);
-        sleep(Duration::from_millis(150));
+        self.is_seen(frame);
     }
 
     fn key(&mut self, name: &str) {
+        let frame = self.frame();
         self.window.keys(&name.replace(']', "bracketright"));
+        self.is_seen(frame);
     }
 
     fn hold(&mut self, key: Key, down: bool) {

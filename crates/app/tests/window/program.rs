@@ -71,6 +71,11 @@ impl Window {
 
     /// Waits until no more frames come: what was asked for is drawn, in full quality.
     pub fn at_rest(&self) -> Value {
+        self.still_for(Duration::from_millis(700))
+    }
+
+    /// Waits until no frame has come for so long.
+    pub fn still_for(&self, pause: Duration) -> Value {
         let start = Instant::now();
         let mut former = None;
         loop {
@@ -81,7 +86,7 @@ impl Window {
             }
             assert!(start.elapsed() < PATIENCE, "the window never comes to rest");
             former = frame;
-            sleep(Duration::from_millis(700));
+            sleep(pause);
         }
     }
 
