@@ -20,7 +20,7 @@ Usage: cargo xtask <COMMAND>
   test                   every test: units, documents, pictures, the window on a display of its own
   lint                   formatting, lints and documentation
   sculpt [--preview DIR] make the shipped figure anew
-  pictures               make the pictures of the README and the guide anew
+  pictures [NAME…]       make the pictures of the README and the guide anew
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";
 
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
         ("test", []) => check::test(),
         ("lint", []) => check::lint(),
         ("sculpt", args) => sculpt::run(args),
-        ("pictures", []) => pictures::run(),
+        ("pictures", names) => pictures::run(names),
         ("help" | "--help" | "-h", _) => {
             println!("{USAGE}");
             Ok(())

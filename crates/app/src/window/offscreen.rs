@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use edit::Editor;
-use egui::{Context, Pos2, RawInput, Rect};
+use egui::{Context, Event, Pos2, RawInput, Rect};
 use render::Image;
 
 use crate::failure::Failure;
@@ -60,32 +60,31 @@ fn drawn(session: &mut Session, size: [u32; 2], showing: &Showing) -> Result<Ima
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let ctx = Context::default();
     theme::apply(&ctx);
-    // The window is laid out before anything is done in it.
-    let mut events = vec![Vec::new()];
-    events.extend(showing.events());
-    let least = events.len() - 1 + FRAMES;
-    let mut events = events.into_iter();
-    for frame in 0..least + WAITS {
-        if frame == 1 {
-            showing.apply(&ctx, session);
-        }
-        if frame >= least {
-            if session.library().is_settled() {
-                break;
-            }
-            std::thread::sleep(std::time::Duration::from_millis(50));
-        }
+    let mut frames = 0;
+    let mut draw = |session: &mut Session, events: Vec<Event>| {
         let room = egui::vec2(size[0] as f32, size[1] as f32) / ctx.pixels_per_point();
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, room)),
-            time: Some(frame as f64),
+            time: Some(f64::from(frames)),
             focused: true,
-            events: events.next().unwrap_or_default(),
+            events,
             ..RawInput::default()
         };
+        frames += 1;
         let output = ctx.run_ui(input, |ui| session.ui(ui));
         painter.paint(&ctx, output, size, &view);
+    };
+    draw(session, Vec::new());
+    showing.apply(&ctx, session);
+    (1..FRAMES).for_each(|_| draw(session, Vec::new()));
+    for _ in 0..WAITS {
+        if session.library().is_settled() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        draw(session, Vec::new());
     }
+    showing.events().into_iter().for_each(|events| draw(session, events));
     let descriptor = wgpu::CommandEncoderDescriptor { label: Some("read window") };
     let encoder = gpu.device.create_command_encoder(&descriptor);
     render::read(&gpu, encoder, &texture).map_err(|e| Failure::Input(e.to_string()))

@@ -83,7 +83,9 @@ impl Showing {
     /// What pointer and keys do, frame by frame.
     pub(super) fn events(&self) -> Vec<Vec<Event>> {
         let mut frames: Vec<_> = self.held().into_iter().map(|key| vec![key]).collect();
-        let Some(at) = self.pointer else { return frames };
+        let Some(at) = self.pointer else {
+            return frames;
+        };
         frames.push(vec![Event::PointerMoved(at)]);
         if let Some(to) = self.drag_to {
             let modifiers = Modifiers::default();
@@ -93,6 +95,8 @@ impl Showing {
             frames.push(vec![Event::PointerMoved(at.lerp(to, 0.5))]);
             frames.push(vec![Event::PointerMoved(to)]);
         }
+        // What the panels show of it comes with the next frame.
+        frames.push(Vec::new());
         frames
     }
 

@@ -10,6 +10,10 @@ use image::{ExtendedColorType, ImageEncoder, RgbImage, imageops};
 /// Where the pictures are, from the top of the project.
 pub const FOLDER: &str = "docs/pictures";
 
+/// Green, and what red and blue have more than it, are rounded to multiples of this: packed, a picture is half as large,
+/// and no grey gets a tint.
+const STEP: i16 = 3;
+
 /// A picture: one or several tiles of the same size, in rows.
 #[derive(Debug)]
 pub struct Picture {
@@ -36,28 +40,39 @@ const fn tile(file: &'static str, options: &'static str, crop: [u32; 4]) -> Tile
     Tile { file, options, crop }
 }
 
+const STANDING: &str = "assets/poses/standing.pose.ron";
+const ON_THE_NOSE: &str = "docs/guide/scripts/elbow-between.script.ron";
+
 const fn sample(file: &'static str) -> Tile {
-    tile(file, "--size 360x360", [70, 10, 220, 342])
+    tile(file, "--size 230x230", [42, 6, 146, 218])
+}
+
+const fn by_hand(file: &'static str) -> Tile {
+    tile(file, "--size 400x400", [91, 8, 218, 384])
 }
 
 const fn pass(options: &'static str) -> Tile {
-    tile("assets/poses/running.pose.ron", options, [90, 20, 192, 340])
+    tile("assets/poses/running.pose.ron", options, [72, 16, 154, 272])
 }
 
 const fn half(file: &'static str) -> Tile {
-    tile(file, "--size 480x480", [80, 8, 320, 464])
+    tile(file, "--size 400x400", [70, 8, 260, 386])
 }
 
 const fn elbow(file: &'static str) -> Tile {
-    tile(file, "--size 900x900 --view front", [300, 40, 320, 320])
+    tile(file, "--size 800x800 --view front", [265, 36, 285, 285])
 }
 
 const fn wrist(file: &'static str) -> Tile {
-    tile(file, "--size 900x900 --view left", [265, 50, 320, 360])
+    tile(file, "--size 800x800 --view left", [240, 45, 275, 320])
 }
 
 const fn contact(file: &'static str) -> Tile {
-    tile(file, "--size 640x640", [160, 40, 320, 560])
+    tile(file, "--size 400x400", [100, 25, 200, 350])
+}
+
+const fn guide(options: &'static str) -> Tile {
+    tile(ON_THE_NOSE, options, [100, 82, 284, 296])
 }
 
 /// Every picture.
@@ -65,40 +80,165 @@ pub const TABLE: &[Picture] = &[
     Picture {
         name: "hero.png",
         columns: 1,
-        tiles: &[tile("docs/guide/scripts/hero.script.ron", "--size 1440x960", [120, 80, 1200, 800])],
+        tiles: &[tile("docs/guide/scripts/hero.script.ron", "--size 1035x691", [85, 58, 864, 576])],
     },
     Picture {
         name: "window.png",
         columns: 1,
+        tiles: &[tile(ON_THE_NOSE, "--ui --size 1120x700 --select leftUpperArm", [0, 0, 1120, 700])],
+    },
+    Picture {
+        name: "light.png",
+        columns: 1,
         tiles: &[tile(
-            "docs/guide/scripts/elbow-between.script.ron",
-            "--ui --size 1280x800",
-            [0, 0, 1280, 800],
+            "assets/poses/sitting.pose.ron",
+            "--ui --size 840x525 --select head --do Theme",
+            [0, 0, 840, 525],
+        )],
+    },
+    Picture {
+        name: "grab.png",
+        columns: 4,
+        tiles: &[
+            tile(
+                STANDING,
+                "--ui --size 640x640 --select leftUpperArm --pointer 325,430 \
+                 --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
+                [130, 100, 240, 430],
+            ),
+            tile(
+                STANDING,
+                "--ui --size 640x640 --select leftUpperArm --pointer 325,430 --drag-to 262,385 \
+                 --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
+                [130, 100, 240, 430],
+            ),
+            tile(
+                STANDING,
+                "--ui --size 640x640 --select leftUpperArm --pointer 310,527 --drag-to 225,300 \
+                 --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
+                [130, 100, 240, 430],
+            ),
+            tile(
+                STANDING,
+                "--ui --size 640x640 --pointer 313,310 --drag-to 280,350 --do Panel",
+                [180, 130, 240, 430],
+            ),
+        ],
+    },
+    Picture {
+        name: "rings.png",
+        columns: 4,
+        tiles: &[
+            tile(
+                STANDING,
+                "--ui --size 640x640 --select leftUpperArm --do Panel,FrameSelection,ZoomOut,ZoomOut",
+                [150, 90, 280, 300],
+            ),
+            tile(
+                STANDING,
+                "--ui --size 640x640 --select leftLowerArm --do Panel,FrameSelection,ZoomOut,ZoomOut \
+                 --pointer 285,335 --drag-to 280,220",
+                [130, 120, 280, 300],
+            ),
+            tile(
+                ON_THE_NOSE,
+                "--ui --size 640x640 --select leftHand --do Panel,TurnInContact,FrameSelection,ZoomOut,Front",
+                [150, 130, 280, 300],
+            ),
+            tile(
+                ON_THE_NOSE,
+                "--ui --size 640x640 --select leftLowerArm --do Panel,Front,FrameSelection,ZoomOut,ZoomOut \
+                 --pointer 357,373 --drag-to 385,300",
+                [195, 160, 280, 300],
+            ),
+        ],
+    },
+    Picture {
+        name: "by-hand.png",
+        columns: 4,
+        tiles: &[
+            by_hand("docs/guide/poses/thinker.pose.ron"),
+            by_hand("docs/guide/poses/hands-on-hips.pose.ron"),
+            by_hand("docs/guide/poses/phone-at-the-ear.pose.ron"),
+            by_hand("docs/guide/poses/arms-crossed.pose.ron"),
+        ],
+    },
+    Picture {
+        name: "marks.png",
+        columns: 1,
+        tiles: &[tile(
+            "docs/guide/scripts/marks.script.ron",
+            "--ui --size 900x900 --do Panel,Front",
+            [245, 195, 440, 500],
+        )],
+    },
+    Picture {
+        name: "guides.png",
+        columns: 4,
+        tiles: &[
+            guide(
+                "--ui --size 480x480 --select leftUpperArm --guides leftArm:target,leftArm:line \
+                   --do Panel,FrameSelection,ZoomOut,SelectNone",
+            ),
+            guide(
+                "--ui --size 480x480 --select leftUpperArm --guides leftArm:outer,leftArm:inner \
+                   --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
+            ),
+            guide(
+                "--ui --size 480x480 --select leftUpperArm --guides leftArm:circle,leftArm:axes \
+                   --do Panel,FrameSelection,ZoomOut,SelectNone",
+            ),
+            guide(
+                "--ui --size 480x480 --select leftUpperArm --guides leftArm:grids \
+                   --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
+            ),
+        ],
+    },
+    Picture {
+        name: "views.png",
+        columns: 1,
+        tiles: &[tile(
+            "assets/poses/pointing.pose.ron",
+            "--ui --size 760x600 --do Panel,SecondView",
+            [0, 34, 760, 540],
+        )],
+    },
+    Picture {
+        name: "library.png",
+        columns: 1,
+        tiles: &[tile(
+            STANDING,
+            "--ui --size 1060x660 --do Library --pointer 980,600 --drag-to 1230,600",
+            [396, 34, 664, 600],
         )],
     },
     Picture {
         name: "poses.png",
-        columns: 4,
+        columns: 6,
         tiles: &[
-            sample("assets/poses/standing.pose.ron"),
             sample("assets/poses/contrapposto.pose.ron"),
-            sample("assets/poses/thinker.pose.ron"),
-            sample("assets/poses/reaching-up.pose.ron"),
-            sample("assets/poses/running.pose.ron"),
+            sample("assets/poses/walking.pose.ron"),
+            sample("assets/poses/reading.pose.ron"),
+            sample("assets/poses/shrug.pose.ron"),
+            sample("assets/poses/cheering.pose.ron"),
+            sample("assets/poses/sitting.pose.ron"),
+            sample("assets/poses/hugging-knees.pose.ron"),
             sample("assets/poses/kneeling.pose.ron"),
-            sample("assets/poses/waving.pose.ron"),
-            sample("assets/poses/idea.pose.ron"),
+            sample("assets/poses/running.pose.ron"),
+            sample("assets/poses/throwing.pose.ron"),
+            sample("assets/poses/lunge.pose.ron"),
+            sample("assets/poses/sign-i-love-you.pose.ron"),
         ],
     },
     Picture {
         name: "passes.png",
         columns: 5,
         tiles: &[
-            pass("--size 400x400 --pass color"),
-            pass("--size 400x400 --pass depth"),
-            pass("--size 400x400 --pass normal"),
-            pass("--size 400x400 --pass silhouette"),
-            pass("--size 400x400 --pass openpose"),
+            pass("--size 320x320 --pass color"),
+            pass("--size 320x320 --pass depth"),
+            pass("--size 320x320 --pass normal"),
+            pass("--size 320x320 --pass silhouette"),
+            pass("--size 320x320 --pass openpose"),
         ],
     },
     Picture {
@@ -129,14 +269,9 @@ pub const TABLE: &[Picture] = &[
         ],
     },
     Picture {
-        name: "mirrored.png",
-        columns: 2,
-        tiles: &[half("assets/poses/waving.pose.ron"), half("docs/guide/scripts/mirrored.script.ron")],
-    },
-    Picture {
         name: "partial.png",
         columns: 2,
-        tiles: &[half("assets/poses/standing.pose.ron"), half("docs/guide/scripts/partial.script.ron")],
+        tiles: &[half(STANDING), half("docs/guide/scripts/partial.script.ron")],
     },
 ];
 
@@ -172,8 +307,18 @@ impl Tile {
         let [left, top, width, height] = self.crop;
         let fits = left + width <= rendered.width() && top + height <= rendered.height();
         ensure!(fits, "{}: the crop is larger than the picture", self.file);
-        Ok(imageops::crop_imm(&rendered, left, top, width, height).to_image())
+        let mut part = imageops::crop_imm(&rendered, left, top, width, height).to_image();
+        part.pixels_mut().for_each(|pixel| pixel.0 = rounded(pixel.0));
+        Ok(part)
     }
+}
+
+fn rounded([red, green, blue]: [u8; 3]) -> [u8; 3] {
+    let round = |value: i16| (value + STEP / 2).div_euclid(STEP) * STEP;
+    let channel = |value: i16| value.clamp(0, 255) as u8;
+    let [red, green, blue] = [red, green, blue].map(i16::from);
+    let grey = round(green);
+    [channel(grey + round(red - green)), channel(grey), channel(grey + round(blue - green))]
 }
 
 /// A picture as a PNG, packed as small as goes.
