@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use rig::{Bone, Evaluation, Figure, Mechanics, Pose};
+use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
 use crate::symmetry::twin_of;
@@ -39,8 +39,8 @@ pub enum Request {
     },
     /// Sets what gestures bring along, as one step of history.
     Mechanics(Mechanics),
-    /// Locks or unlocks a joint, as one step of history; its twin, too, while symmetry is on.
-    Lock(Bone, bool),
+    /// Locks or unlocks joints, as one step of history; their twins, too, while symmetry is on.
+    Lock(Locks, bool),
     /// Switches live symmetry, as one step of history.
     Symmetry(bool),
 }
@@ -157,7 +157,7 @@ impl Editor {
                 Ok(self.step_to(applied, "Paste"))
             }
             Request::Mechanics(mechanics) => Ok(self.set_mechanics(mechanics)),
-            Request::Lock(bone, on) => self.lock(bone, on),
+            Request::Lock(bones, on) => self.lock(bones, on),
             Request::Symmetry(symmetry) => {
                 self.step(Document { symmetry, ..self.document.clone() }, "Symmetry");
                 Ok(told(format!("Symmetry {}", if symmetry { "on" } else { "off" })))
@@ -193,17 +193,24 @@ impl Editor {
         told(format!("Collar rhythm {rhythm}, torso follows by {follow:.0} %"))
     }
 
-    fn lock(&mut self, bone: Bone, on: bool) -> Result<Outcome, Rejected> {
-        if self.figure.skeleton.joint(bone).is_none() {
-            return Err(rig::GestureError::NoBone(bone).into());
+    fn lock(&mut self, bones: Locks, on: bool) -> Result<Outcome, Rejected> {
+        let lacks = |bone: &Bone| self.figure.skeleton.joint(*bone).is_none();
+        if let Some(lacking) = bones.iter().find(lacks) {
+            return Err(rig::GestureError::NoBone(lacking).into());
         }
-        let twin = twin_of(&self.figure, bone).filter(|_| self.document.symmetry);
-        let locks =
-            std::iter::once(bone).chain(twin).fold(self.document.locks, |all, bone| all.with(bone, on));
+        let twin = |bone| twin_of(&self.figure, bone).filter(|twin| !bones.contains(*twin));
+        let twins: Vec<Bone> =
+            if self.document.symmetry { bones.iter().filter_map(twin).collect() } else { Vec::new() };
+        let both = bones.iter().chain(twins.iter().copied());
+        let locks = both.fold(self.document.locks, |all, bone| all.with(bone, on));
         self.step(Document { locks, ..self.document.clone() }, if on { "Lock" } else { "Unlock" });
-        let (word, name) = (if on { "Locked" } else { "Unlocked" }, words(bone.name()));
-        let also = if twin.is_some() { " and its twin" } else { "" };
-        Ok(told(format!("{word} {name}{also}")))
+        let (names, also) = match (&bones.iter().collect::<Vec<_>>()[..], twins.is_empty()) {
+            ([bone], true) => (words(bone.name()), ""),
+            ([bone], false) => (words(bone.name()), " and its twin"),
+            (bones, true) => (format!("{} joints", bones.len()), ""),
+            (bones, false) => (format!("{} joints", bones.len()), " and their twins"),
+        };
+        Ok(told(format!("{} {names}{also}", if on { "Locked" } else { "Unlocked" })))
     }
 
     /// Makes a document the next step; a gesture under way is committed first.

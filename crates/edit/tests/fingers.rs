@@ -196,6 +196,6 @@ fn clearing_brings_back_angles_hips_and_freedom() {
     }
     assert_eq!(editor.pose().limb(limb).contact, Contact::Free);
     assert_eq!(to_rest(&editor, Bone::LeftUpperArm).len(), 3);
-    ask(&mut editor, Request::Lock(Bone::LeftUpperArm, true));
+    ask(&mut editor, Request::Lock(Bone::LeftUpperArm.into(), true));
     assert!(to_rest(&editor, Bone::LeftUpperArm).is_empty());
 }

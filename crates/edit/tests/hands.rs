@@ -284,7 +284,7 @@ fn the_ring_on_the_ground_turns_the_figure_where_it_stands() {
 #[test]
 fn the_ring_of_a_locked_joint_has_no_way_to_go() {
     let mut table = table();
-    table.submit(Request::Lock(Bone::LeftLowerArm, true));
+    table.submit(Request::Lock(Bone::LeftLowerArm.into(), true));
     table.selected = Some(Bone::LeftLowerArm);
     let before = table.pose();
     let ring = table.knob(Knob::Turn(Bone::LeftLowerArm, Dof::Flexion));

@@ -61,7 +61,7 @@ fn bent() -> Editor {
 fn locked(bones: &[Bone]) -> Editor {
     let mut editor = bent();
     for bone in bones {
-        ask(&mut editor, Request::Lock(*bone, true)).unwrap();
+        ask(&mut editor, Request::Lock((*bone).into(), true)).unwrap();
     }
     editor
 }
@@ -84,7 +84,7 @@ fn a_locked_joint_is_not_turned_and_the_refusal_names_it() {
             ask(&mut editor, Request::Do(turn(Bone::LeftLowerArm, Dof::Flexion, 10.0))).unwrap_err();
         assert!(why.contains("leftLowerArm") && why.contains("locked"), "{why}");
         assert_eq!(*editor.document(), before);
-        ask(&mut editor, Request::Lock(Bone::LeftLowerArm, false)).unwrap();
+        ask(&mut editor, Request::Lock(Bone::LeftLowerArm.into(), false)).unwrap();
         ask(&mut editor, Request::Do(turn(Bone::LeftLowerArm, Dof::Flexion, 10.0))).unwrap();
         assert_eq!(editor.pose().angles(Bone::LeftLowerArm).flexion, 10.0);
     }
@@ -211,7 +211,7 @@ fn gestures() -> Vec<Command> {
 fn locking_is_undone_and_unknown_bones_are_refused() {
     let mut editor = bent();
     let before = editor.document().clone();
-    ask(&mut editor, Request::Lock(Bone::Chest, true)).unwrap();
+    ask(&mut editor, Request::Lock(Bone::Chest.into(), true)).unwrap();
     assert!(editor.document().locks.contains(Bone::Chest));
     assert_eq!(editor.undo_name(), Some("Lock"));
     ask(&mut editor, Request::Undo).unwrap();
@@ -235,4 +235,17 @@ proptest! {
             former = now;
         }
     }
+}
+
+#[test]
+fn several_joints_are_locked_in_one_step_with_their_twins() {
+    let mut editor = bent();
+    ask(&mut editor, Request::Symmetry(true)).unwrap();
+    let depth = editor.undo_depth();
+    let both = [Bone::LeftLowerArm, Bone::RightLowerArm, Bone::LeftHand, Bone::Head];
+    let told = ask(&mut editor, Request::Lock(both.into_iter().collect(), true)).unwrap().message;
+    assert_eq!((told.as_str(), editor.undo_depth()), ("Locked 4 joints and their twins", depth + 1));
+    assert!(editor.document().locks.contains(Bone::RightHand));
+    ask(&mut editor, Request::Undo).unwrap();
+    assert!(editor.document().locks.is_empty());
 }

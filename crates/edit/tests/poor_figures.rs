@@ -146,7 +146,7 @@ fn panels_ask_for_what_is_there() {
             check(&table, lacks);
         }
         for bone in Bone::ALL {
-            let locked = table.submit(Request::Lock(bone, true));
+            let locked = table.submit(Request::Lock(bone.into(), true));
             assert_eq!(locked, figure.skeleton.joint(bone).is_some());
         }
         let shown = marked_joints(&table.editor, &table.sight, &Bone::ALL);

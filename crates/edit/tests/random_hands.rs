@@ -117,7 +117,7 @@ fn request(seeded: &mut Seeded) -> Request {
         0 | 1 => Request::Undo,
         2 => Request::Redo,
         3 => Request::Symmetry(seeded.unit() < 0.5),
-        4 => Request::Lock(*pick(seeded, &Bone::ALL), seeded.unit() < 0.3),
+        4 => Request::Lock((*pick(seeded, &Bone::ALL)).into(), seeded.unit() < 0.3),
         5 => Request::Mechanics(Mechanics {
             collar_rhythm: seeded.unit() < 0.5,
             torso_follow: if seeded.unit() < 0.5 { 0.0 } else { seeded.unit() },

@@ -197,7 +197,7 @@ fn hands_that_hold_each_other_move_as_one_held_pair() {
 fn a_twin_that_cannot_be_done_is_told_and_left_out() {
     let mut editor = editor(0.0);
     ask(&mut editor, Request::Symmetry(false));
-    ask(&mut editor, Request::Lock(Bone::RightUpperArm, true));
+    ask(&mut editor, Request::Lock(Bone::RightUpperArm.into(), true));
     ask(&mut editor, Request::Symmetry(true));
     let turn = Command::Turn { joint: Bone::LeftUpperArm, dof: Dof::Flexion, degrees: 25.0, by: By::To };
     let outcome = ask(&mut editor, Request::Do(turn));
@@ -205,7 +205,7 @@ fn a_twin_that_cannot_be_done_is_told_and_left_out() {
     assert_eq!(editor.pose().angles(Bone::LeftUpperArm).flexion, 25.0);
     assert_eq!(editor.pose().angles(Bone::RightUpperArm).flexion, 0.0);
     // Locking itself is symmetric, too.
-    ask(&mut editor, Request::Lock(Bone::LeftHand, true));
+    ask(&mut editor, Request::Lock(Bone::LeftHand.into(), true));
     assert!(editor.document().locks.contains(Bone::RightHand));
 }
 

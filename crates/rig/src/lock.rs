@@ -35,6 +35,12 @@ impl Locks {
     }
 }
 
+impl From<Bone> for Locks {
+    fn from(bone: Bone) -> Locks {
+        Locks::NONE.with(bone, true)
+    }
+}
+
 impl FromIterator<Bone> for Locks {
     fn from_iter<T: IntoIterator<Item = Bone>>(bones: T) -> Locks {
         bones.into_iter().fold(Locks::NONE, |locks, bone| locks.with(bone, true))

@@ -34,7 +34,7 @@ impl Sheet<'_> {
             glyph::lock(ui.painter(), place.center(), SIZE, locked, color);
         }
         if response.clicked() {
-            self.requests.push(Request::Lock(bone, !locked));
+            self.requests.push(Request::Lock(bone.into(), !locked));
         }
         response.on_hover_text(if locked {
             "Locked: keeps its angles. Click to unlock"

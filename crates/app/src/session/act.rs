@@ -2,7 +2,7 @@
 
 use edit::{Choose, Command, Hold, Request, Step, clear_place, to_rest};
 use egui::Context;
-use rig::{Bone, Contact, Limb, Part, View};
+use rig::{Contact, Limb, Locks, Part, View};
 
 use super::Session;
 use crate::action::{Action, Group};
@@ -140,15 +140,14 @@ impl Session {
         placed.then_some(Command::Place { by: -place.position, turn: -place.turn }).into_iter().collect()
     }
 
-    /// Locks the chosen joints, or frees them if all are locked.
+    /// Locks the chosen joints as one step, or frees them if all are locked.
     fn lock(&mut self) {
-        let chosen = self.panels.selection().bones().to_vec();
-        let locked = |bone: &Bone| self.document().locks.contains(*bone);
-        let on = !chosen.iter().all(locked);
-        if chosen.is_empty() {
-            self.say("Lock joint: choose one first".to_owned());
+        let chosen: Locks = self.panels.selection().bones().iter().copied().collect();
+        let on = !chosen.iter().all(|bone| self.document().locks.contains(bone));
+        match chosen.is_empty() {
+            true => self.say("Lock joint: choose one first".to_owned()),
+            false => self.submit(Request::Lock(chosen, on)),
         }
-        self.submit_all(chosen.into_iter().map(|bone| Request::Lock(bone, on)).collect());
     }
 
     fn look(&mut self, action: Action) {

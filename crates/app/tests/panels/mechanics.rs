@@ -137,7 +137,7 @@ fn with_symmetry_a_row_of_one_hand_acts_on_both() {
 #[test]
 fn the_row_of_a_locked_joint_says_so() {
     let mut hand = at(LEFT_ARM);
-    hand.state_mut().submit(Request::Lock(Bone::LeftLowerArm, true));
+    hand.state_mut().submit(Request::Lock(Bone::LeftLowerArm.into(), true));
     hand.run();
     hand.hover_at(slider_center(&hand, ELBOW));
     for _ in 0..20 {
