@@ -87,6 +87,7 @@ impl Surfaces {
         let hit = skin.and_then(|(m, picker)| picker.pick_of(m, &self.palette, &self.frames, ray, counts));
         let ground = ground(ray).filter(|(_, far)| hit.is_none_or(|hit| *far < hit.distance));
         match (ground, hit) {
+            // No stretch here: a foot that is lifted passes over ground that its straight leg all but reaches.
             (Some((place, _)), _) => self.at(Space::World, place, DVec3::Y, self.clearance_m[1], 1.0),
             (None, Some(hit)) => {
                 let space = Space::Body(hit.bone);
