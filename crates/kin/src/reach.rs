@@ -102,8 +102,16 @@ pub(crate) struct Quest<'a> {
     pub from: &'a LimbState,
     pub ranges: LimbRanges,
     pub window: f64,
-    /// The ends of the hinge's range and the distances at which they hold the articulator.
-    stops: OnceCell<[(f64, f64); 2]>,
+    stops: OnceCell<[Stop; 2]>,
+}
+
+/// An end of the hinge's range, radians.
+struct Stop {
+    end: f64,
+    /// At which it holds the articulator, metres.
+    distance: f64,
+    /// Whether it lies on the branch that the goal keeps.
+    kept: bool,
 }
 
 /// A limb bent for a place; the elevation is still open, and no matter where the articulator goes.
@@ -140,17 +148,23 @@ impl<'a> Quest<'a> {
         Ok(Aimed { direction, hinge, bent, span: free.span, stopped: hinge != angle })
     }
 
-    /// The hinge angle, or the end of its range whose distance comes nearer.
+    /// The hinge angle, or the end of its range whose distance comes nearer: one on the kept branch if there is one.
     fn stopped(&self, angle: f64, distance: f64) -> f64 {
         let range = self.ranges.hinge;
         if range.contains(angle) {
             return angle;
         }
-        let at = |end| (end, self.limb.bent(self.in_hinge, end).length());
-        let stops = self.stops.get_or_init(|| [at(range.min), at(range.max)]);
-        let miss = |stop: &(f64, f64)| (stop.1 - distance).abs();
-        let ends = stops.iter().filter(|(end, _)| end.is_finite());
-        ends.min_by(|a, b| miss(a).total_cmp(&miss(b))).map_or(angle, |(end, _)| *end)
+        let stops = self.stops.get_or_init(|| {
+            [range.min, range.max].map(|end| Stop {
+                end,
+                distance: self.limb.bent(self.in_hinge, end).length(),
+                kept: end.is_finite() && self.limb.branch(self.in_hinge, end) == self.goal.branch,
+            })
+        });
+        let any = stops.iter().any(|stop| stop.kept);
+        let miss = |stop: &Stop| (stop.distance - distance).abs();
+        let ends = stops.iter().filter(|stop| stop.kept || (!any && stop.end.is_finite()));
+        ends.min_by(|a, b| miss(a).total_cmp(&miss(b))).map_or(angle, |stop| stop.end)
     }
 
     /// The joints at the feasible elevation nearest to the goal's, and how far that is from it; `None` if

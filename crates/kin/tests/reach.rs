@@ -215,3 +215,39 @@ fn where_ranges_stop_the_limb_the_residual_is_near_the_best() {
     assert_eq!(outside, 0, "an elevation changed by more than the window");
     assert!(worst < 0.005, "worst {worst}");
 }
+
+fn turn_between(a: DQuat, b: DQuat) -> f64 {
+    let d = a.conjugate() * b;
+    2.0 * d.xyz().length().atan2(d.w.abs())
+}
+
+/// A target that a gesture drags along a line in millimetres, always solved from the same first state.
+#[test]
+fn where_the_target_is_met_the_elevation_hops_rarely_and_within_the_window() {
+    let mut seeded = Seeded(15);
+    let (mut steps, mut hops) = (0, 0);
+    let (limb, ranges) = shoulder();
+    // Opposite to the base of the swing carrier the elevation itself is singular.
+    let singular = -DVec3::new(0.5, 0.8, 0.33).normalize();
+    for case in 0..400 {
+        let (a, from) = (end_point(&mut seeded), inside(&mut seeded, &ranges));
+        let goal = limb.recover(a, &from).unwrap();
+        let (along, far) = (seeded.direction(), limb.reach(a).1);
+        let middle = along.any_orthonormal_vector() * seeded.between(0.1, 1.0) * far;
+        let mut before: Option<LimbState> = None;
+        for step in -900..=900 {
+            let goal = LimbGoal { target: middle + along * (f64::from(step) * 1e-3), ..goal };
+            let now = limb.hold_within(a, &goal, &from, &ranges, WINDOW).unwrap();
+            let now = now.filter(|_| goal.target.normalize().dot(singular) < 0.8);
+            if let (Some(before), Some(now)) = (before, now) {
+                let turned = turn_between(before.root, now.root).max((before.hinge - now.hinge).abs());
+                steps += 1;
+                // Two ends equally near, or the nearer one has run out. Other steps may be fast, but hop nowhere.
+                hops += usize::from(turned > 0.35);
+                assert!(turned < 2.0 * WINDOW + 0.2, "case {case}, {step}: {turned}");
+            }
+            before = now;
+        }
+    }
+    assert!(steps > 200_000 && hops * 30_000 < steps, "{hops} of {steps}");
+}
