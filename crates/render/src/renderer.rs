@@ -89,8 +89,8 @@ impl Renderer {
         Ok(())
     }
 
-    /// Takes on a picture for reference, drawn behind the figures as high as the view with [`Look::backdrop_opacity`];
-    /// `None` takes it away.
+    /// Takes on a picture for reference, drawn behind the figures as high as the view with
+    /// [`crate::Look::backdrop_opacity`]; `None` takes it away.
     ///
     /// # Errors
     /// A size that the device can't hold, or that isn't that of its bytes; there is no picture then.
