@@ -40,8 +40,8 @@ pub enum Dialog {
     PicturePath,
     /// Asks what becomes of unsaved changes.
     Unsaved(Intent),
-    /// Asks whether another file may be replaced, and what comes after.
-    Replace(PathBuf, Option<Intent>),
+    /// Asks whether another file may be replaced.
+    Replace(Writing),
     /// Offers a pose that was lost when the program did not end by itself.
     Recover,
     /// Look, navigation and keys.
@@ -50,17 +50,33 @@ pub enum Dialog {
     Help,
 }
 
+/// What is to be written to a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Writing {
+    /// The pose, and what comes after.
+    Pose(PathBuf, Option<Intent>),
+    /// A picture of the view.
+    Picture(PathBuf),
+}
+
+impl Writing {
+    /// The file.
+    pub fn path(&self) -> &Path {
+        match self {
+            Writing::Pose(path, _) | Writing::Picture(path) => path,
+        }
+    }
+}
+
 /// What a dialog came to.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Answer {
     /// A file to open.
     Open(PathBuf),
-    /// A file to save to, and what comes after.
-    Save(PathBuf, Option<Intent>),
+    /// A file to write.
+    Write(Writing),
     /// The same, and the file that is there may go.
-    Replace(PathBuf, Option<Intent>),
-    /// A file to save a picture to.
-    Picture(PathBuf),
+    Replace(Writing),
     /// Unsaved changes are saved before this.
     SaveFirst(Intent),
     /// Unsaved changes are given up for this.
@@ -144,7 +160,7 @@ impl Dialogs {
                     (answer, close) = self.path(ui, &dialog);
                 }
                 Dialog::Unsaved(intent) => (answer, close) = asking::unsaved(ui, intent),
-                Dialog::Replace(path, then) => (answer, close) = asking::replace(ui, path, then.as_ref()),
+                Dialog::Replace(writing) => (answer, close) = asking::replace(ui, writing),
                 Dialog::Recover => answer = asking::recover(ui),
                 Dialog::Settings => close = self.settings(ui, settings, viewport, keymap),
                 Dialog::Help => close = self.sheet(ui, keymap),

@@ -1,10 +1,8 @@
 //! Questions with two or three answers.
 
-use std::path::Path;
-
 use egui::Ui;
 
-use super::{Answer, Intent};
+use super::{Answer, Intent, Writing};
 
 /// What becomes of unsaved changes; whether the dialog closes without an answer.
 pub fn unsaved(ui: &mut Ui, intent: &Intent) -> (Option<Answer>, bool) {
@@ -54,15 +52,15 @@ pub fn recover(ui: &mut Ui) -> Option<Answer> {
 }
 
 /// Whether another file may be replaced; whether the dialog closes without an answer.
-pub fn replace(ui: &mut Ui, path: &Path, then: Option<&Intent>) -> (Option<Answer>, bool) {
+pub fn replace(ui: &mut Ui, writing: &Writing) -> (Option<Answer>, bool) {
     ui.heading("There is such a file");
     ui.add_space(4.0);
-    ui.label(format!("Replace {}?", path.display()));
+    ui.label(format!("Replace {}?", writing.path().display()));
     ui.add_space(8.0);
     let (mut replace, mut close) = (false, false);
     ui.horizontal(|ui| {
         replace = ui.add(egui::Button::new("Replace").fill(ui.visuals().selection.bg_fill)).clicked();
         close = ui.button("Cancel").clicked();
     });
-    (replace.then(|| Answer::Replace(path.to_owned(), then.cloned())), close)
+    (replace.then(|| Answer::Replace(writing.clone())), close)
 }

@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use egui::{Context, Id, Key, RichText, TextEdit, Ui};
 
 use super::listing::Pick;
-use super::{Answer, Dialog, Dialogs, PICTURE_SUFFIX, SUFFIX};
+use super::{Answer, Dialog, Dialogs, PICTURE_SUFFIX, SUFFIX, Writing};
 
 impl Dialogs {
     pub(super) fn path(&mut self, ui: &mut Ui, dialog: &Dialog) -> (Option<Answer>, bool) {
@@ -92,8 +92,8 @@ impl Dialogs {
 
 fn answer_of(dialog: &Dialog, path: PathBuf) -> Answer {
     match dialog {
-        Dialog::SavePath(then) => Answer::Save(with_suffix(path, SUFFIX), then.clone()),
-        Dialog::PicturePath => Answer::Picture(with_suffix(path, PICTURE_SUFFIX)),
+        Dialog::SavePath(then) => Answer::Write(Writing::Pose(with_suffix(path, SUFFIX), then.clone())),
+        Dialog::PicturePath => Answer::Write(Writing::Picture(with_suffix(path, PICTURE_SUFFIX))),
         _ => Answer::Open(path),
     }
 }

@@ -6,7 +6,7 @@ use edit::Request;
 use egui::Ui;
 
 use super::{Session, Status};
-use crate::dialogs::{Answer, Dialog, Intent};
+use crate::dialogs::{Answer, Dialog, Intent, Writing};
 use crate::failure::Failure;
 use crate::viewport::backdrop::Backdrop;
 use crate::{disk, load, picture};
@@ -126,16 +126,24 @@ impl Session {
         }
     }
 
+    /// Whether something else than this pose would be lost.
+    fn would_replace(&self, writing: &Writing) -> bool {
+        let own = matches!(writing, Writing::Pose(path, _) if self.path.as_ref() == Some(path));
+        !own && writing.path().exists()
+    }
+
     /// Does what a dialog came to.
     pub(super) fn answered(&mut self, ui: &Ui, answer: Answer) {
         match answer {
             Answer::Open(path) => self.proceed(Intent::Open(Some(path))),
-            Answer::Save(path, then) if path.exists() && self.path.as_ref() != Some(&path) => {
-                self.dialogs.ask(Dialog::Replace(path, then));
+            Answer::Write(writing) if self.would_replace(&writing) => {
+                self.dialogs.ask(Dialog::Replace(writing));
                 ui.ctx().request_repaint();
             }
-            Answer::Save(path, then) | Answer::Replace(path, then) => self.save_then(&path, then),
-            Answer::Picture(path) => self.save_picture(&path),
+            Answer::Write(writing) | Answer::Replace(writing) => match writing {
+                Writing::Pose(path, then) => self.save_then(&path, then),
+                Writing::Picture(path) => self.save_picture(&path),
+            },
             Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),
             Answer::Recover(wanted) => self.recover(wanted),

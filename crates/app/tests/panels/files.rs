@@ -70,6 +70,23 @@ fn another_file_is_replaced_only_after_asking() {
 }
 
 #[test]
+fn a_picture_takes_no_other_file_s_place_without_asking() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("there.pose.ron");
+    std::fs::write(&path, "former").unwrap();
+    let mut hand = at(LEFT_ARM);
+    hand.key_press(Key::F12);
+    hand.run();
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    hand.event(egui::Event::Text(path.display().to_string()));
+    hand.run();
+    click(&mut hand, "Save the picture now");
+    hand.get_by_label_contains("there.pose.ron?");
+    click(&mut hand, "Cancel");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "former");
+}
+
+#[test]
 fn closing_asks_about_unsaved_changes() {
     let mut hand = at(LEFT_ARM);
     set(&mut hand, ELBOW, 42.0);
