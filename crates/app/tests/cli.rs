@@ -115,6 +115,30 @@ fn render_draws_a_png_of_the_asked_size() {
 }
 
 #[test]
+fn render_shows_in_the_window_what_is_asked_for() {
+    let folder = Folder::new();
+    let table = script("hand-on-table.script.ron");
+    let draw = |name: &str, options: &[&str]| {
+        let png = folder.path(name);
+        let mut arguments = vec!["render", &table, "-o", text(&png), "--ui", "--size", "700x500"];
+        arguments.extend(options);
+        let output = posewright(&arguments);
+        assert_eq!(code(&output), 0, "{options:?}: {}", said(&output));
+        image::open(&png).unwrap().into_rgb8()
+    };
+    let plain = draw("plain.png", &[]);
+    for options in [
+        &["--select", "leftHand,leftLowerArm"][..],
+        &["--do", "SecondView,Theme"],
+        &["--guides", "leftArm:outer"],
+        &["--pointer", "520,250"],
+        &["--pointer", "520,250", "--drag-to", "560,220"],
+    ] {
+        assert_ne!(draw("shown.png", options), plain, "{options:?}");
+    }
+}
+
+#[test]
 fn bad_input_is_exit_1_with_its_place() {
     let folder = Folder::new();
     let many = "(".repeat(15 << 20);
@@ -240,6 +264,10 @@ fn wrong_usage_is_exit_2_and_help_is_0() {
         vec!["run", "--loud"],
         vec!["render", "a.pose.ron", "-o", "a.png", "--size", "0x9"],
         vec!["render", "a.pose.ron", "-o", "a.png", "--view", "below"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--select", "head"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--ui", "--select", "haed"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--ui", "--do", "Save"],
+        vec!["render", "a.pose.ron", "-o", "a.png", "--ui", "--drag-to", "9,9"],
     ] {
         assert_eq!(code(&posewright(&arguments)), 2, "{arguments:?}");
     }

@@ -104,24 +104,24 @@ pub const TABLE: &[Picture] = &[
                 STANDING,
                 "--ui --size 640x640 --select leftUpperArm --pointer 325,430 \
                  --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
-                [130, 100, 240, 430],
+                [140, 104, 220, 410],
             ),
             tile(
                 STANDING,
                 "--ui --size 640x640 --select leftUpperArm --pointer 325,430 --drag-to 262,385 \
                  --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
-                [130, 100, 240, 430],
+                [140, 104, 220, 410],
             ),
             tile(
                 STANDING,
                 "--ui --size 640x640 --select leftUpperArm --pointer 310,527 --drag-to 225,300 \
                  --do Panel,FrameSelection,ZoomOut,ZoomOut,ZoomOut,SelectNone",
-                [130, 100, 240, 430],
+                [140, 104, 220, 410],
             ),
             tile(
                 STANDING,
                 "--ui --size 640x640 --pointer 313,310 --drag-to 280,350 --do Panel",
-                [180, 130, 240, 430],
+                [190, 146, 220, 410],
             ),
         ],
     },
@@ -200,7 +200,7 @@ pub const TABLE: &[Picture] = &[
         tiles: &[tile(
             "assets/poses/pointing.pose.ron",
             "--ui --size 760x600 --do Panel,SecondView",
-            [0, 34, 760, 540],
+            [180, 34, 580, 540],
         )],
     },
     Picture {
@@ -208,7 +208,7 @@ pub const TABLE: &[Picture] = &[
         columns: 1,
         tiles: &[tile(
             STANDING,
-            "--ui --size 1060x660 --do Library --pointer 980,600 --drag-to 1230,600",
+            "--ui --size 1060x660 --do Library --pointer 980,440 --drag-to 1230,440",
             [396, 34, 664, 600],
         )],
     },
