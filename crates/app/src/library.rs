@@ -62,6 +62,9 @@ impl Folders {
 /// The state of the panel. Nothing of the pose is in it.
 pub struct Library {
     shown: bool,
+    /// Where the user's own poses are unless another folder is chosen.
+    data_folder: Option<PathBuf>,
+    /// Where they are.
     own_folder: Option<PathBuf>,
     entries: Arc<Vec<Entry>>,
     read: bool,
@@ -92,7 +95,8 @@ impl Library {
     fn drawn_by(folders: Folders, opener: Opener) -> Library {
         Library {
             shown: false,
-            own_folder: folders.own,
+            own_folder: folders.own.clone(),
+            data_folder: folders.own,
             entries: Arc::default(),
             read: false,
             portraits: Portraits::new(opener, folders.cache.map(Cache::new)),
@@ -139,10 +143,11 @@ impl Library {
         panel.frame(frame).show(ui, |ui| self.show(ui, editor, selected)).inner
     }
 
-    /// Takes the user's own poses from another folder, if one is chosen.
+    /// Takes the user's own poses from a folder that is chosen, or from the one in the user's data.
     pub fn follow(&mut self, chosen: Option<&Path>) {
-        if chosen.is_some() && chosen != self.own_folder.as_deref() {
-            self.own_folder = chosen.map(Path::to_owned);
+        let wanted = chosen.or(self.data_folder.as_deref());
+        if wanted != self.own_folder.as_deref() {
+            self.own_folder = wanted.map(Path::to_owned);
             self.read = false;
         }
     }
@@ -328,6 +333,16 @@ mod tests {
 
     fn no_gpu() -> Result<render::Gpu, Failure> {
         Err(Failure::NoScreen("no graphics adapter found: install a driver".to_owned()))
+    }
+
+    #[test]
+    fn a_folder_that_is_chosen_no_longer_gives_way_to_the_user_s_data() {
+        let of_user = Some(PathBuf::from("data"));
+        let mut library = Library::new(Folders { own: of_user.clone(), cache: None });
+        library.follow(Some(Path::new("elsewhere")));
+        assert_eq!(library.own_folder, Some(PathBuf::from("elsewhere")));
+        library.follow(None);
+        assert_eq!(library.own_folder, of_user);
     }
 
     #[test]
