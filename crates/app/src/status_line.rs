@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
                 ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
                 ui.spacing_mut().item_spacing.x = 5.0;
                 news(ui, session);
-                for hint in hints::now(session) {
+                for hint in hints::now(session, ui.input(|i| i.pointer.hover_pos())) {
                     if !show_hint(ui, &hint) {
                         break;
                     }

@@ -1,6 +1,7 @@
 //! What drag, click, wheel and keys would do where the pointer is, or do in the drag under way.
 
 use edit::Preset;
+use egui::Pos2;
 
 use crate::action::Action;
 use crate::session::Session;
@@ -14,8 +15,8 @@ pub struct Hint {
     pub does: String,
 }
 
-/// The hints that fit the moment, the most telling first.
-pub fn now(session: &Session) -> Vec<Hint> {
+/// The hints that fit the moment and the place of the pointer, the most telling first.
+pub fn now(session: &Session, pointer: Option<Pos2>) -> Vec<Hint> {
     if let Some(told) = session.viewport.telling() {
         return read(&told);
     }
@@ -25,7 +26,12 @@ pub fn now(session: &Session) -> Vec<Hint> {
         hints.extend(of_choice(session));
         return hints;
     }
-    let mut hints = beside(session);
+    let picture = session.viewport.rect();
+    let mut hints = match pointer.filter(|at| picture.y_range().contains(at.y)) {
+        Some(at) if at.x > picture.right() => over_library(),
+        Some(at) if at.x < picture.left() => over_panel(),
+        _ => beside(session),
+    };
     hints.extend(of_choice(session));
     hints.extend(of_action(session, Action::Help, "all keys"));
     hints
@@ -68,6 +74,16 @@ fn wheel(session: &Session) -> Hint {
 /// Beside the figure the pointer looks around.
 fn beside(session: &Session) -> Vec<Hint> {
     vec![one("Drag", "turn the view"), one("Shift+Drag", "slide"), wheel(session)]
+}
+
+/// Over the tiles of the library.
+fn over_library() -> Vec<Hint> {
+    vec![one("Click", "take the pose on"), one("Drag", "blend sideways"), one("Alt", "mirrored")]
+}
+
+/// Over the sliders of the panel.
+fn over_panel() -> Vec<Hint> {
+    vec![one("Drag", "a slider turns"), one("Shift", "slowly"), one("Double click", "to 0")]
 }
 
 /// What the keys would do to the chosen joint.

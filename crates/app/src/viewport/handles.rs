@@ -11,7 +11,8 @@ use crate::{labels, theme};
 const DOFS: [Color32; 3] =
     [Color32::from_rgb(242, 98, 88), Color32::from_rgb(138, 208, 98), Color32::from_rgb(94, 160, 252)];
 const ELEVATION: Color32 = Color32::from_rgb(214, 164, 255);
-const BODY: Color32 = Color32::from_rgb(240, 224, 170);
+/// Handles of the body on a dark picture and on a light one.
+const BODY: [Color32; 2] = [Color32::from_rgb(240, 224, 170), Color32::from_rgb(122, 92, 20)];
 /// Under every line, so that it shows on light skin too.
 const SHADE: Color32 = Color32::from_black_alpha(70);
 const STEPS: u32 = 96;
@@ -34,7 +35,8 @@ enum Dash {
 /// Draws the knobs of a stage, what is turned, and a name at what the pointer is on.
 pub fn paint(ui: &Ui, hands: &Hands, stage: &Stage, rect: Rect) {
     let painter = ui.painter().with_clip_rect(rect);
-    let canvas = Canvas { painter, sight: stage.sight, origin: rect.min };
+    let body = BODY[usize::from(!ui.visuals().dark_mode)];
+    let canvas = Canvas { painter, sight: stage.sight, origin: rect.min, body };
     if let Some(turned) = hands.turned() {
         canvas.turned(&turned);
     } else if !hands.is_dragging() {
@@ -53,6 +55,7 @@ struct Canvas {
     painter: Painter,
     sight: Sight,
     origin: Pos2,
+    body: Color32,
 }
 
 impl Canvas {
@@ -62,7 +65,7 @@ impl Canvas {
     }
 
     fn knob(&self, placed: &Placed, hot: bool) {
-        let pen = pen(placed.knob, hot);
+        let pen = pen(placed.knob, hot, self.body);
         match placed.shape {
             Shape::Ring(circle) => self.ring(placed.knob, &circle, pen),
             Shape::Arc(circle, range) => {
@@ -135,7 +138,7 @@ impl Canvas {
 
     /// What is turned: the ring, how far it may go and has gone, and the angle.
     fn turned(&self, turned: &Turned) {
-        let (circle, pen) = (turned.circle, pen(turned.knob, true));
+        let (circle, pen) = (turned.circle, pen(turned.knob, true, self.body));
         let outside = Circle { radius_m: circle.radius_m * 1.1, ..circle };
         self.ring(turned.knob, &circle, Pen { width: 1.2, ..pen });
         if let Some(range) = turned.range_rad {
@@ -214,7 +217,8 @@ impl Canvas {
         let Some(at) = at else { return };
         let corners = [vec2(0.0, -radius), vec2(radius, 0.0), vec2(0.0, radius), vec2(-radius, 0.0)];
         let points = corners.map(|corner| at + corner).to_vec();
-        let fill = Color32::from_black_alpha(150);
+        let light = color.intensity() < 0.5;
+        let fill = if light { Color32::from_white_alpha(190) } else { Color32::from_black_alpha(150) };
         self.painter.add(egui::Shape::convex_polygon(points, fill, Stroke::new(1.6, color)));
     }
 
@@ -279,13 +283,13 @@ impl Canvas {
     }
 }
 
-fn pen(knob: Knob, hot: bool) -> Pen {
+fn pen(knob: Knob, hot: bool, body: Color32) -> Pen {
     let (color, dash) = match knob {
         Knob::Turn(_, dof) | Knob::InContact(_, dof) => (DOFS[dof as usize], DASHES[dof as usize]),
         Knob::Trackball(_) => (Color32::from_gray(225), Dash::Solid),
         Knob::Elevation(_) => (ELEVATION, Dash::Dots),
-        Knob::Collar(_) | Knob::Spine | Knob::Hips | Knob::Place => (BODY, Dash::Solid),
-        Knob::TurnFigure => (BODY, Dash::Long),
+        Knob::Collar(_) | Knob::Spine | Knob::Hips | Knob::Place => (body, Dash::Solid),
+        Knob::TurnFigure => (body, Dash::Long),
     };
     let quiet = matches!(knob, Knob::Place | Knob::TurnFigure | Knob::Trackball(_)) && !hot;
     let color = if quiet { color.gamma_multiply(0.55) } else { color };

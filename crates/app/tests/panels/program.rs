@@ -257,6 +257,9 @@ fn the_line_below_says_what_pointer_and_keys_do_now() {
     hand.hover_at(beside);
     hand.run();
     hand.get_by_label("turn the view");
+    hand.hover_at(beside - vec2(200.0, 0.0));
+    hand.run();
+    hand.get_by_label("a slider turns");
     let knee = hand.state().editor().evaluation().frames[Bone::RightLowerLeg].position;
     let shin = hand.state().viewport.window_of(knee - glam::DVec3::Y * 0.18).unwrap();
     hand.hover_at(shin);
@@ -428,4 +431,16 @@ fn every_control_has_a_name_in_every_part_of_the_window() {
     hand.state_mut().quit_asking();
     hand.run();
     check(&hand, "unsaved changes");
+}
+
+#[test]
+fn the_menu_changes_between_light_and_dark() {
+    let mut hand = at(LEFT_ARM);
+    for light in [true, false] {
+        let wanted = if light { egui::Theme::Light } else { egui::Theme::Dark };
+        click(&mut hand, "View");
+        click(&mut hand, "Light or dark");
+        hand.run();
+        assert_eq!(hand.ctx.theme(), wanted);
+    }
 }
