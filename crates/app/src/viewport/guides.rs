@@ -79,7 +79,7 @@ impl Guide {
             }
             Guide::Planes => "Grids of 10 cm through the limb's root, on three planes",
             Guide::Axes => {
-                "The axes of the limb's joints: flexion F in long dashes, abduction A in short ones, twist T solid"
+                "The axes of the limb's joints: flexion F solid, abduction A in dashes, twist T in dots, as the rings are"
             }
         }
     }
@@ -296,9 +296,9 @@ fn sides(across: Axis) -> [Axis; 2] {
 /// Letter, colour and dash of an angle's axis: told apart without the colour, too.
 fn look(dof: Dof) -> (&'static str, Color, f32) {
     match dof {
-        Dof::Flexion => ("F", [242, 98, 88, 255], 12.0),
-        Dof::Abduction => ("A", [138, 208, 98, 255], 5.0),
-        Dof::Twist => ("T", [94, 160, 252, 255], 0.0),
+        Dof::Flexion => ("F", [242, 98, 88, 255], 0.0),
+        Dof::Abduction => ("A", [138, 208, 98, 255], 11.0),
+        Dof::Twist => ("T", [94, 160, 252, 255], 4.5),
     }
 }
 
