@@ -23,6 +23,8 @@ const SESSIONS: [&str; 4] = ["arms-crossed", "phone-at-the-ear", "hands-on-hips"
 /// Where a joint may be in a window of another size, metres: a pixel is 3 mm of the figure, and elbows swing farther than
 /// what they hold on to.
 const SAME_M: f64 = 0.015;
+/// A window that has drawn nothing for so long has done all that was asked.
+const PAUSE: Duration = Duration::from_millis(300);
 
 fn project() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -53,7 +55,10 @@ fn recorded_sessions_pose_with_the_picture_alone() {
     let figure = load::figure(None).unwrap();
     for name in SESSIONS {
         let recording = recording(name);
-        let mut hand = HarnessHand::new();
+        // What is meant does not depend on how large the window is.
+        let mut large = HarnessHand::new(vec2(1400.0, 900.0));
+        recording.check(name, &figure, &recording.play(&figure, &mut large));
+        let mut hand = HarnessHand::new(vec2(1280.0, 800.0));
         let pose = recording.play(&figure, &mut hand);
         if std::env::var_os("UPDATE_SESSIONS").is_some() {
             std::fs::create_dir_all(shown(name).parent().unwrap()).unwrap();
@@ -94,10 +99,10 @@ fn recorded_sessions_pose_by_real_events() {
 struct HarnessHand(Harness<'static, Session>, Modifiers, Pos2);
 
 impl HarnessHand {
-    fn new() -> HarnessHand {
+    fn new(size: egui::Vec2) -> HarnessHand {
         let session = Session::new(Editor::new(load::figure(None).unwrap()), None);
         let mut hand = Harness::builder()
-            .with_size(vec2(1280.0, 800.0))
+            .with_size(size)
             .with_pixels_per_point(1.0)
             .with_step_dt(0.05)
             .with_context_setup(apply_theme)
@@ -238,7 +243,7 @@ impl Driver for WindowHand {
             sleep(Duration::from_secs(2));
             self.window.map().unwrap()
         } else {
-            self.window.still_for(Duration::from_millis(300))
+            self.window.still_for(PAUSE)
         };
         let pose = rig::parse_pose(map["pose"].as_str().unwrap()).unwrap();
         let handles = map["handles"].as_object().unwrap();
@@ -270,6 +275,10 @@ impl Driver for WindowHand {
     }
 
     fn key(&mut self, name: &str) {
+        // What came before must be seen: a key means what is chosen then.
+        if !self.repeating {
+            self.window.still_for(PAUSE);
+        }
         let frame = self.frame();
         self.window.keys(&name.replace(']', "bracketright"));
         self.is_seen(frame);
