@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
+mod bits;
 #[path = "../../kin/tests/seeded/mod.rs"]
 mod seeded;
 mod stage;
@@ -13,6 +14,7 @@ mod stage;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
+use bits::bits;
 use edit::{Axis, Command, Constraint, Event, Hold, Modifiers, Request};
 use glam::{DVec3, Vec2};
 use rig::{
@@ -189,26 +191,6 @@ fn check_contact(table: &Table, limb: Limb) {
         let here = rig::articulator_in(figure, &free, limb, Space::World);
         assert!(here.distance(view.target) < 1e-5, "{limb:?} misses what it can reach");
     }
-}
-
-/// Every number of a pose.
-fn bits(pose: &Pose) -> Vec<u64> {
-    let mut all: Vec<f64> = Vec::new();
-    for bone in Bone::ALL {
-        all.extend(Dof::ALL.map(|dof| pose.angles(bone).get(dof)));
-    }
-    all.extend(pose.hips.to_array());
-    all.extend(pose.place.position.to_array());
-    all.push(pose.place.turn);
-    for limb in &pose.limbs {
-        if let Some((_, target)) = limb.contact.target() {
-            all.extend(target.to_array());
-        }
-        if let Contact::Planted { rotation, .. } = limb.contact {
-            all.extend(rotation.to_array());
-        }
-    }
-    all.into_iter().map(f64::to_bits).collect()
 }
 
 /// What one event may do to gesture and history.

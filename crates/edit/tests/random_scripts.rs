@@ -2,11 +2,13 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
+mod bits;
 #[path = "../../kin/tests/seeded/mod.rs"]
 mod seeded;
 
 use std::sync::Arc;
 
+use bits::bits;
 use edit::{At, By, Command, Editor, Files, Goal, Hold, Outcome, Request};
 use glam::DVec3;
 use rig::{Bone, Contact, Dof, Figure, Limb, Part, Pose, Side, Space, evaluate};
@@ -333,23 +335,6 @@ fn run(seed: u64, count: usize) -> (Vec<Command>, Pose) {
     }
     assert_eq!(bits(editor.pose()), bits(&last), "redo of all returns the last state");
     (commands, last)
-}
-
-/// Every number of a pose, bit for bit.
-fn bits(pose: &Pose) -> Vec<u64> {
-    let mut all: Vec<f64> = pose.angles.iter().flat_map(|a| [a.flexion, a.abduction, a.twist]).collect();
-    all.extend(pose.hips.to_array());
-    all.extend(pose.place.position.to_array());
-    all.push(pose.place.turn);
-    for limb in &pose.limbs {
-        if let Some((_, target)) = limb.contact.target() {
-            all.extend(target.to_array());
-        }
-        if let Contact::Planted { rotation, .. } = limb.contact {
-            all.extend(rotation.to_array());
-        }
-    }
-    all.into_iter().map(f64::to_bits).collect()
 }
 
 #[test]

@@ -17,8 +17,13 @@ pub fn at(section: Section) -> Hand {
     for each in Section::ALL {
         session.panels.set_open(each, each == section);
     }
+    shown(session, vec2(1280.0, 1400.0))
+}
+
+/// A window of that size on a session.
+pub fn shown(session: Session, size: egui::Vec2) -> Hand {
     let mut hand = Harness::builder()
-        .with_size(vec2(1280.0, 1400.0))
+        .with_size(size)
         .with_pixels_per_point(1.0)
         .with_step_dt(0.05)
         .with_context_setup(apply_theme)

@@ -2,28 +2,21 @@
 
 use std::path::Path;
 
-use app::{Action, ConfigFolder, Look, Section, Session, apply_theme, load};
+use app::{Action, ConfigFolder, Look, Section, Session, load};
 use edit::{By, Command, Editor, Request};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, vec2};
+use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use egui_kittest::{Harness, Node};
 use rig::{Bone, Dof, Limb};
 
-use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, steps};
+use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, shown, steps};
 
 /// A window of that size that keeps its settings in a folder.
 fn configured(folder: &Path, size: egui::Vec2) -> Hand {
     let mut session = Session::new(Editor::new(load::figure(None).unwrap()), None);
     session.configure_from(ConfigFolder::at(folder));
-    let mut hand = Harness::builder()
-        .with_size(size)
-        .with_pixels_per_point(1.0)
-        .with_step_dt(0.05)
-        .with_context_setup(apply_theme)
-        .build_ui_state(|ui, session: &mut Session| session.ui(ui), session);
-    hand.run();
-    hand
+    shown(session, size)
 }
 
 fn press(hand: &mut Hand, modifiers: Modifiers, key: Key) {
