@@ -5,18 +5,19 @@ use rig::{Bone, Skeleton};
 
 use super::field::{Field, Part};
 use super::fit::figure_scale;
+use super::physique::Physique;
 use super::{foot, hand, head, limbs, torso};
 
 /// Every part of the left half, carriers before fingers and toes.
-pub fn field(skeleton: &Skeleton) -> Field {
+pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
     let s = skeleton;
     let mut parts: Vec<Part> = vec![
-        torso::part(s),
-        head::part(s),
+        torso::part(s, physique),
+        head::part(s, physique),
         head::ear(s),
-        limbs::leg(s),
+        limbs::leg(s, physique),
         foot::foot(s),
-        limbs::arm(s),
+        limbs::arm(s, physique),
         hand::palm(s),
     ];
     parts.extend((0..5).map(|i| hand::finger(s, i)));

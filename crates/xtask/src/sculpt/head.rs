@@ -5,6 +5,7 @@ use rig::{Bone, Skeleton};
 
 use super::field::{Part, Region};
 use super::fit::Fit;
+use super::physique::Physique;
 
 /// Radius of the eyeball as drawn.
 pub const EYE_RADIUS: f64 = 0.0128;
@@ -36,7 +37,7 @@ fn neck_fit(skeleton: &Skeleton) -> Fit {
 }
 
 /// Neck, skull and face without ears.
-pub fn part(skeleton: &Skeleton) -> Part {
+pub fn part(skeleton: &Skeleton, _physique: &Physique) -> Part {
     let f = head_fit(skeleton);
     let mut head = Part::new(Region::Head, 0.03);
     skull(&f, &mut head);

@@ -5,6 +5,7 @@ use rig::{Bone, Skeleton};
 
 use super::field::{Part, Region};
 use super::fit::Fit;
+use super::physique::Physique;
 
 /// The drawn places along the arm.
 pub fn arm_fit(skeleton: &Skeleton) -> Fit {
@@ -21,7 +22,7 @@ pub fn arm_fit(skeleton: &Skeleton) -> Fit {
 }
 
 /// Shoulder to wrist.
-pub fn arm(skeleton: &Skeleton) -> Part {
+pub fn arm(skeleton: &Skeleton, _physique: &Physique) -> Part {
     let f = arm_fit(skeleton);
     let mut arm = Part::new(Region::Arm, 0.045);
     // Place: centre y and z, to the top, bottom, front, back, squareness. Palm down: the biceps faces forward.
@@ -72,7 +73,7 @@ pub fn leg_fit(skeleton: &Skeleton) -> Fit {
 }
 
 /// Hip to ankle.
-pub fn leg(skeleton: &Skeleton) -> Part {
+pub fn leg(skeleton: &Skeleton, _physique: &Physique) -> Part {
     let f = leg_fit(skeleton);
     let mut leg = Part::new(Region::Leg, 0.04);
     // Height: centre x and z, to the outside, inside, front, back, squareness.

@@ -17,6 +17,7 @@ mod limbs;
 mod nets;
 mod paint;
 mod part;
+mod physique;
 mod posing;
 mod preview;
 mod remesh;
@@ -31,6 +32,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
+use physique::Physique;
 use rig::{Mesh, Skeleton};
 
 /// The folder of the shipped figure.
@@ -68,7 +70,7 @@ fn skeleton(path: &Path) -> anyhow::Result<Skeleton> {
 
 /// The skin that fits a skeleton.
 fn mesh(skeleton: &Skeleton) -> anyhow::Result<Mesh> {
-    let field = body::field(skeleton);
+    let field = body::field(skeleton, &Physique::NEUTRAL);
     let mesh = assemble::mesh(&field, skeleton, |p, bend| body::edge_length(skeleton, p, bend));
     match mesh.fault() {
         Some(fault) => bail!("the sculpted mesh is faulty: {fault}"),

@@ -195,7 +195,7 @@ fn the_body_follows_another_skeleton() {
         .collect();
     let other = Skeleton::new(stretched).unwrap();
     for skeleton in [shipped(), other] {
-        let field = body::field(&skeleton);
+        let field = body::field(&skeleton, &super::Physique::NEUTRAL);
         let all = field.everything();
         for joint in skeleton.joints() {
             // Eyes lie in sockets, joints of the collar may touch the skin.

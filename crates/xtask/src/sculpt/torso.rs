@@ -5,6 +5,7 @@ use rig::{Bone, Skeleton};
 
 use super::field::{Part, Region};
 use super::fit::Fit;
+use super::physique::Physique;
 
 /// The drawn places of the spine.
 pub fn fit(skeleton: &Skeleton) -> Fit {
@@ -22,7 +23,7 @@ pub fn fit(skeleton: &Skeleton) -> Fit {
 }
 
 /// The trunk without limbs.
-pub fn part(skeleton: &Skeleton) -> Part {
+pub fn part(skeleton: &Skeleton, _physique: &Physique) -> Part {
     let f = fit(skeleton);
     let mut torso = Part::new(Region::Torso, 0.03);
     torso.add(0.0, trunk(&f));
