@@ -19,7 +19,8 @@ Usage: cargo xtask <COMMAND>
                          ARGS go to the program: `cargo xtask run FILE`, `cargo xtask run -- --help`
   test                   every test: units, documents, pictures, the window on a display of its own
   lint                   formatting, lints and documentation
-  sculpt [--preview DIR] make the shipped figure anew
+  sculpt [--preview DIR [--only PART]]
+                         make the shipped figure anew, or only draw it or a part of it
   pictures [NAME…]       make the pictures of the README and the guide anew
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";

@@ -8,6 +8,7 @@ use super::field::{Field, Lookup};
 use super::nets::{Surface, polygonize};
 use super::paint;
 use super::remesh::Remesh;
+use super::shape::Bounds;
 use super::weights::{Weigher, half_shares, rounded};
 
 /// One vertex of the left half.
@@ -19,13 +20,20 @@ struct Vertex {
     weights: [u16; 4],
 }
 
-/// The whole skin of a field on its skeleton; `size` is the wanted edge length at a point of given curvature (1/m).
-pub fn mesh(field: &Field, skeleton: &Skeleton, size: impl Fn(DVec3, f64) -> f64) -> Mesh {
-    let (net, lookup) = polygonize(field);
+/// The skin of a field on its skeleton, whole or (to judge a part quickly) within a box; `size` is the wanted edge
+/// length at a point of given curvature (1/m).
+pub fn mesh(
+    field: &Field,
+    skeleton: &Skeleton,
+    within: Option<&Bounds>,
+    size: impl Fn(DVec3, f64) -> f64,
+) -> Mesh {
+    let (net, lookup) = polygonize(field, within);
     let half = Remesh::new(&net, &lookup, size).finish(4);
     let mut mesh = Mesh::default();
     add_twice(&mut mesh, &half.triangles, &skin(&half, &lookup, skeleton));
-    if let Some((ball, normals, colors)) = eyes::left(skeleton) {
+    let seen = |p: &DVec3| within.is_none_or(|b| b.gap(&Bounds { low: *p, high: *p }) <= 0.0);
+    if let Some((ball, normals, colors)) = eyes::left(skeleton).filter(|e| e.0.points.iter().all(seen)) {
         let vertex = |i: usize| Vertex {
             place: ball.points[i],
             normal: normals[i],

@@ -40,24 +40,24 @@ fn figures() -> PathBuf {
     crate::root().join("assets/figures")
 }
 
-/// `sculpt` writes the figure's skin, `sculpt --preview DIR` draws it into a folder instead.
+/// `sculpt` writes the figure's skin, `sculpt --preview DIR` draws it into a folder instead; see [`views::run`].
 ///
 /// # Errors
 /// Unknown arguments, an unreadable skeleton, a mesh with a fault, files that cannot be written.
 pub fn run(args: &[String]) -> anyhow::Result<()> {
     let skeleton = skeleton(&figures().join("mannequin.urdf"))?;
-    let mesh = mesh(&skeleton)?;
-    println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
     match args {
         [] => {
+            let mesh = mesh(&skeleton)?;
+            println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
             let path = figures().join("mannequin.glb");
             let bytes = interchange::glb::write(&mesh, &skeleton, "mannequin");
             std::fs::write(&path, &bytes).with_context(|| format!("cannot write {}", path.display()))?;
             println!("wrote {}, {} bytes", path.display(), bytes.len());
             Ok(())
         }
-        [flag, folder] if flag == "--preview" => views::write(&mesh, &skeleton, Path::new(folder)),
-        _ => bail!("sculpt takes nothing or `--preview DIR`, not `{}`", args.join(" ")),
+        [flag, order @ ..] if flag == "--preview" => views::run(order, &skeleton),
+        _ => bail!("sculpt takes nothing or `--preview DIR [OPTIONS]`, not `{}`", args.join(" ")),
     }
 }
 
@@ -71,7 +71,7 @@ fn skeleton(path: &Path) -> anyhow::Result<Skeleton> {
 /// The skin that fits a skeleton.
 fn mesh(skeleton: &Skeleton) -> anyhow::Result<Mesh> {
     let field = body::field(skeleton, &Physique::NEUTRAL);
-    let mesh = assemble::mesh(&field, skeleton, |p, bend| body::edge_length(skeleton, p, bend));
+    let mesh = assemble::mesh(&field, skeleton, None, |p, bend| body::edge_length(skeleton, p, bend));
     match mesh.fault() {
         Some(fault) => bail!("the sculpted mesh is faulty: {fault}"),
         None => Ok(mesh),

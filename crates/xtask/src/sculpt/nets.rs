@@ -39,8 +39,9 @@ struct Sheets {
 }
 
 /// The left half of the surface (x of 0 and more), rim on the middle plane, and the field with its blocks remembered.
-pub fn polygonize(field: &Field) -> (Surface, Lookup<'_>) {
-    let blocks = surface_blocks(field);
+/// With a box, only the blocks that touch it: the surface then ends open at its border.
+pub fn polygonize<'a>(field: &'a Field, within: Option<&Bounds>) -> (Surface, Lookup<'a>) {
+    let blocks = surface_blocks(field, within);
     let mut surface = Surface::default();
     let mut cells: HashMap<[i32; 3], Sheets> = HashMap::new();
     let mut crossings = Vec::new();
@@ -95,9 +96,13 @@ fn untangle(surface: &mut Surface) {
 }
 
 /// Blocks that the surface may cross, in a fixed order.
-fn surface_blocks(field: &Field) -> Vec<([i32; 3], Active)> {
+fn surface_blocks(field: &Field, within: Option<&Bounds>) -> Vec<([i32; 3], Active)> {
     let everything = field.everything();
     let extent = field.extent();
+    let wanted = |at: [i32; 3], side: f64| {
+        let low = DVec3::from(at.map(f64::from)) * side;
+        within.is_none_or(|b| b.gap(&Bounds { low, high: low + DVec3::splat(side) }) <= 0.0)
+    };
     let side = BLOCK * f64::from(COARSE);
     let low = (extent.low / side).floor().as_ivec3();
     let high = (extent.high / side).floor().as_ivec3();
@@ -105,6 +110,9 @@ fn surface_blocks(field: &Field) -> Vec<([i32; 3], Active)> {
     for z in low.z..=high.z {
         for y in low.y..=high.y {
             for x in low.x.max(0)..=high.x {
+                if !wanted([x, y, z], side) {
+                    continue;
+                }
                 let Some(coarse) = crossed(field, &everything, [x, y, z], side) else { continue };
                 for i in 0..COARSE.pow(3) {
                     let at = [
@@ -112,6 +120,9 @@ fn surface_blocks(field: &Field) -> Vec<([i32; 3], Active)> {
                         y * COARSE + i / COARSE % COARSE,
                         z * COARSE + i / COARSE.pow(2),
                     ];
+                    if !wanted(at, BLOCK) {
+                        continue;
+                    }
                     if let Some(active) = crossed(field, &coarse, at, BLOCK) {
                         found.push((at, active));
                     }

@@ -6,6 +6,9 @@ use rig::{Angles, Bone, Frame, Frames, Mesh, Palette, Skeleton, skin_normals, sk
 /// Angles of some bones in degrees: flexion, abduction, twist. Left bones stand for both sides.
 pub type Stance = [(Bone, [f64; 3])];
 
+/// As sculpted.
+pub const REST: &Stance = &[];
+
 /// Arms hanging, a little bent: the commonest pose.
 pub const RELAXED: &Stance = &[
     (Bone::LeftUpperArm, [4.0, -82.0, 0.0]),
@@ -55,6 +58,12 @@ pub const FISTS: &Stance = &[
     (Bone::Head, [-10.0, 0.0, 30.0]),
     (Bone::Jaw, [14.0, 0.0, 0.0]),
 ];
+
+/// The fist alone.
+pub const FIST: &Stance = FISTS.split_at(15).0;
+
+/// Head turned, mouth open.
+pub const JAW: &Stance = FISTS.split_at(17).1;
 
 /// The mesh in a pose.
 pub fn posed(mesh: &Mesh, skeleton: &Skeleton, stance: &Stance) -> Mesh {

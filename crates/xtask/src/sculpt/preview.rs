@@ -16,6 +16,15 @@ pub struct Model {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// From where the light comes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Light {
+    /// Key from upper left, weak fill: how the figure will mostly be seen.
+    Studio,
+    /// One low light from the right, hardly a fill, no colours: shows every bump.
+    Raking,
+}
+
 /// A parallel view.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
@@ -29,6 +38,8 @@ pub struct Shot {
     pub height: f64,
     /// Pixels.
     pub size: (u32, u32),
+    /// The light.
+    pub light: Light,
 }
 
 /// Samples along a pixel's side.
@@ -47,7 +58,7 @@ pub fn draw(model: &Model, shot: &Shot, wires: bool) -> RgbImage {
     };
     let screen: Vec<DVec3> = model.points.iter().map(|p| place(*p)).collect();
     let lit: Vec<DVec3> =
-        model.normals.iter().zip(&model.colors).map(|(n, c)| shade(view * *n, *c)).collect();
+        model.normals.iter().zip(&model.colors).map(|(n, c)| shade(view * *n, *c, shot.light)).collect();
     let mut depth = vec![f64::NEG_INFINITY; (w * h) as usize];
     let mut color = vec![BACKGROUND; (w * h) as usize];
     for triangle in &model.triangles {
@@ -101,7 +112,11 @@ fn fill(
 }
 
 /// Key light from upper left, weak fill, light from the sky, a rim.
-fn shade(n: DVec3, base: DVec3) -> DVec3 {
+fn shade(n: DVec3, base: DVec3, light: Light) -> DVec3 {
+    if light == Light::Raking {
+        let low = DVec3::new(0.86, 0.35, 0.22).normalize();
+        return DVec3::splat(0.75 * n.dot(low).max(0.0) + 0.05 * (0.6 + 0.4 * n.z));
+    }
     let key = DVec3::new(-0.45, 0.6, 0.66).normalize();
     let fill = DVec3::new(0.8, 0.1, 0.5).normalize();
     let diffuse = 0.85 * n.dot(key).max(0.0) + 0.18 * n.dot(fill).max(0.0) + 0.16 * (0.6 + 0.4 * n.y);
@@ -128,7 +143,7 @@ fn resolve(color: &[DVec3], (w, h): (u32, u32)) -> RgbImage {
 }
 
 /// Pictures side by side, in rows of `columns`.
-pub fn sheet(pictures: &[RgbImage], columns: u32) -> RgbImage {
+pub fn tiled(pictures: &[RgbImage], columns: u32) -> RgbImage {
     let (w, h) = pictures.first().map_or((1, 1), RgbImage::dimensions);
     let rows = (pictures.len() as u32).div_ceil(columns);
     let mut all = RgbImage::new(w * columns.min(pictures.len() as u32).max(1), h * rows.max(1));
