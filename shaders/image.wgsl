@@ -11,14 +11,15 @@ struct Behind {
 
 @vertex
 fn vs_image(@builtin(vertex_index) index: u32) -> Behind {
-    let at = vec2(f32(index & 1u), f32(index >> 1u)) * 2.0 - 1.0;
-    return Behind(vec4(at, 1.0, 1.0), at);
+    let at = vec2(f32(index & 1u), f32(index >> 1u));
+    let clip = vec4(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, 1.0, 1.0);
+    return Behind(clip, place_in_picture(at * scene.viewport.xy));
 }
 
 @fragment
 fn fs_image(in: Behind) -> @location(0) vec4<f32> {
     let size = vec2<f32>(textureDimensions(reference));
-    let wider = scene.viewport.x * scene.viewport.w * size.y / size.x;
+    let wider = scene.tile.z / scene.tile.w * size.y / size.x;
     let uv = in.at * vec2(wider, -1.0) * 0.5 + 0.5;
     if uv.x < 0.0 || uv.x > 1.0 {
         return vec4(0.0);

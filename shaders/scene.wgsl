@@ -12,8 +12,10 @@ struct Scene {
     key: vec4<f32>,
     // Unit direction to the fill light, which moves with the camera; w: its strength.
     fill: vec4<f32>,
-    // Width, height and their inverses, pixels.
+    // Width, height and their inverses, pixels, of what is drawn.
     viewport: vec4<f32>,
+    // What is drawn is a part of a picture: xy: its upper left pixel, zw: size of the whole.
+    tile: vec4<f32>,
     background_top: vec4<f32>,
     background_bottom: vec4<f32>,
     // x: nearest, y: farthest view depth of the figures; z: width of a shadow texel in metres; w: 1 / shadow size.
@@ -33,4 +35,9 @@ struct Scene {
 
 fn toward_viewer(world: vec3<f32>) -> vec3<f32> {
     return normalize(scene.eye.xyz - world * scene.eye.w);
+}
+
+// A place of what is drawn, given as pixels, in the whole picture: -1 to 1, y up.
+fn place_in_picture(pixel: vec2<f32>) -> vec2<f32> {
+    return ((pixel + scene.tile.xy) / scene.tile.zw - 0.5) * vec2(2.0, -2.0);
 }

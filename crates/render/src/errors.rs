@@ -13,6 +13,14 @@ pub enum DrawError {
         /// The device's longest edge, pixels.
         limit: u32,
     },
+    /// A picture that doesn't fit into memory.
+    #[error("a picture of {width}x{height} pixels doesn't fit into memory")]
+    Memory {
+        /// Asked width, pixels.
+        width: u32,
+        /// Asked height, pixels.
+        height: u32,
+    },
     /// The skin breaks its own rules.
     #[error("the skin cannot be drawn: {0}")]
     Mesh(String),

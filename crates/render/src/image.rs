@@ -1,7 +1,5 @@
 //! Pictures read back from the device.
 
-use crate::renderer::Renderer;
-use crate::scene::{Look, Scene};
 use crate::{DrawError, Gpu};
 
 /// A picture in memory.
@@ -23,26 +21,6 @@ impl Image {
         }
         let at = 4 * (y as usize * self.width as usize + x as usize);
         self.rgba.get(at..at + 4).and_then(|p| p.try_into().ok())
-    }
-}
-
-impl Renderer {
-    /// Draws a scene at full resolution and reads the picture back.
-    ///
-    /// # Errors
-    /// As [`Renderer::draw`], and [`DrawError::Driver`] if the driver complains or the device is lost.
-    pub fn image(&mut self, scene: &Scene<'_>) -> Result<Image, DrawError> {
-        let full = Scene { look: Look { scale: 1.0, ..scene.look }, ..scene.clone() };
-        let gpu = self.gpu().clone();
-        let descriptor = wgpu::CommandEncoderDescriptor { label: Some("image") };
-        let mut encoder = gpu.device.create_command_encoder(&descriptor);
-        self.draw(&mut encoder, &full)?;
-        let picture = self.picture().ok_or_else(|| DrawError::Driver("no picture".to_owned()))?;
-        let mut image = read(&gpu, encoder, picture)?;
-        if scene.look.transparent {
-            image.rgba.chunks_exact_mut(4).for_each(straighten);
-        }
-        Ok(image)
     }
 }
 
@@ -88,16 +66,4 @@ pub fn read(
     let rows = bytes.chunks_exact(stride as usize);
     let rgba = rows.flat_map(|r| r.iter().take(row as usize).copied()).collect();
     Ok(Image { width, height, rgba })
-}
-
-/// From colour times alpha to the colour itself.
-fn straighten(pixel: &mut [u8]) {
-    let [r, g, b, a] = pixel else { return };
-    if *a == 0 {
-        return;
-    }
-    let alpha = u16::from(*a);
-    for c in [r, g, b] {
-        *c = ((u16::from(*c) * 255 + alpha / 2) / alpha).min(255) as u8;
-    }
 }

@@ -2,19 +2,24 @@
 //!
 //! A [`Gpu`] is opened once; a [`Renderer`] keeps what lives there (meshes, pipelines, the picture); a [`Scene`]
 //! is plain data, made anew for each picture. [`Renderer::draw`] records into the caller's encoder and leaves the
-//! picture in a texture, which a [`Blit`] paints into a window; [`Renderer::image`] reads it back.
+//! picture in a texture, which a [`Blit`] paints into a window; [`Renderer::image`] reads it back, and
+//! [`Renderer::bands`] makes one of any size a few rows at a time.
 
 mod backdrop;
+mod bands;
 mod blit;
+mod bodies;
 mod errors;
 mod figures;
 mod gpu;
 mod image;
+mod keypoints;
 mod layered;
 mod layouts;
 mod light;
 mod openpose;
 mod overlay;
+mod parts;
 mod pipelines;
 mod recipe;
 mod renderer;
@@ -24,12 +29,16 @@ mod shadow;
 mod skins;
 mod surfaces;
 mod target;
+mod tile;
 mod uniforms;
 
+pub use bands::Band;
 pub use blit::Blit;
 pub use errors::DrawError;
 pub use gpu::{Gpu, GpuError};
 pub use image::{Image, read};
+pub use keypoints::{BODY_POINTS, FOOT_POINTS, HAND_POINTS, Keypoints};
 pub use overlay::{Ball, Color, Fan, Layer, Line, Marker, Overlay, Shape};
+pub use parts::{part_color, part_of_color};
 pub use renderer::Renderer;
-pub use scene::{FigureView, Look, Msaa, Pass, Scene};
+pub use scene::{FigureView, Look, Msaa, Pass, Scene, Style};

@@ -94,10 +94,14 @@ impl Pipelines {
             blend: recipe.blend,
             write_mask: wgpu::ColorWrites::ALL,
         })];
+        let options = || wgpu::PipelineCompilationOptions {
+            constants: &recipe.constants,
+            ..wgpu::PipelineCompilationOptions::default()
+        };
         let fragment = recipe.fragment.map(|entry| wgpu::FragmentState {
             module,
             entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: options(),
             targets: &targets,
         });
         let topology = if recipe.strip {
@@ -118,7 +122,7 @@ impl Pipelines {
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some(recipe.vertex),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: options(),
                 buffers: recipe.buffers,
             },
             primitive: wgpu::PrimitiveState {

@@ -3,6 +3,7 @@
 use wgpu::CompareFunction::{self, Always, Greater, Less, LessEqual};
 
 use crate::overlay::Stroke;
+use crate::parts::PART_LAYOUT;
 use crate::scene::Msaa;
 use crate::shadow::SOFT_FORMAT;
 use crate::skins::VERTEX_LAYOUTS;
@@ -18,8 +19,8 @@ pub(crate) enum Draw {
     Soften,
     /// Depth of a translucent figure, so that its far side stays hidden.
     Ghost { two_sided: bool },
-    /// A figure with one of figure.wgsl's fragment shaders.
-    Figure { fragment: &'static str, two_sided: bool },
+    /// A figure.
+    Figure { paint: Paint, two_sided: bool },
     /// The gradient behind everything.
     Backdrop,
     /// The picture for reference.
@@ -34,6 +35,31 @@ pub(crate) enum Draw {
     Balls(Seen),
     /// Translucent sheets.
     Fans(Seen),
+}
+
+/// How figure.wgsl colours a figure. Each flag left out saves time at every pixel.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(crate) struct Paint {
+    pub fragment: &'static str,
+    /// The skin is cut into parts.
+    pub parts: bool,
+    /// The key light's shadow falls on it.
+    pub shadowed: bool,
+    /// Some of its bones are selected or hovered.
+    pub marked: bool,
+}
+
+impl Paint {
+    /// That fragment shader and nothing else.
+    pub const fn plain(fragment: &'static str) -> Paint {
+        Paint { fragment, parts: false, shadowed: false, marked: false }
+    }
+
+    /// Values for figure.wgsl's overrides.
+    fn constants(self) -> Vec<(&'static str, f64)> {
+        let flag = |on: bool| f64::from(u8::from(on));
+        vec![("shadowed", flag(self.shadowed)), ("marked", flag(self.marked))]
+    }
 }
 
 /// Which marks a draw lets through.
@@ -94,6 +120,8 @@ pub(crate) struct Recipe {
     pub cull: Option<wgpu::Face>,
     pub depth: Option<DepthRule>,
     pub blend: Option<wgpu::BlendState>,
+    /// Values for the shader's overrides.
+    pub constants: Vec<(&'static str, f64)>,
 }
 
 /// Before what is there.
@@ -116,6 +144,10 @@ const SKIN: [Option<wgpu::VertexBufferLayout<'static>>; 1] = {
 const SKIN_AND_SURFACE: [Option<wgpu::VertexBufferLayout<'static>>; 2] = {
     let [skin, surface] = VERTEX_LAYOUTS;
     [Some(skin), Some(surface)]
+};
+const SKIN_SURFACE_AND_PART: [Option<wgpu::VertexBufferLayout<'static>>; 3] = {
+    let [skin, surface] = VERTEX_LAYOUTS;
+    [Some(skin), Some(surface), Some(PART_LAYOUT)]
 };
 const STROKES: [Option<wgpu::VertexBufferLayout<'static>>; 1] = [Some(wgpu::VertexBufferLayout {
     array_stride: size_of::<Stroke>() as u64,
@@ -149,7 +181,8 @@ impl Recipe {
                 groups: Groups::Figure,
                 format: None,
                 depth: Some(DepthRule { write: true, compare: Less, slope_bias: 2.0 }),
-                ..Recipe::skinned("", two_sided, Less, Msaa::One)
+                constants: Vec::new(),
+                ..Recipe::skinned(Paint::plain(""), two_sided, Less, Msaa::One)
             },
             Draw::Soften => Recipe {
                 groups: Groups::Lit,
@@ -157,8 +190,8 @@ impl Recipe {
                 blend: None,
                 ..Recipe::surroundings(Soften, "vs_soften", "fs_soften")
             },
-            Draw::Ghost { two_sided } => Recipe::skinned("fs_nothing", two_sided, Less, msaa),
-            Draw::Figure { fragment, two_sided } => Recipe::skinned(fragment, two_sided, LessEqual, msaa),
+            Draw::Ghost { two_sided } => Recipe::skinned(Paint::plain("fs_nothing"), two_sided, Less, msaa),
+            Draw::Figure { paint, two_sided } => Recipe::skinned(paint, two_sided, LessEqual, msaa),
             Draw::Backdrop => Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop"),
             Draw::Image => {
                 Recipe { groups: Groups::Soft, ..Recipe::surroundings(Source::Image, "vs_image", "fs_image") }
@@ -183,12 +216,13 @@ impl Recipe {
         }
     }
 
-    fn skinned(fragment: &'static str, two_sided: bool, compare: CompareFunction, msaa: Msaa) -> Recipe {
+    fn skinned(paint: Paint, two_sided: bool, compare: CompareFunction, msaa: Msaa) -> Recipe {
         Recipe {
             source: Source::Figure,
-            vertex: "vs_figure",
-            fragment: Some(fragment),
-            buffers: &SKIN_AND_SURFACE,
+            vertex: if paint.parts { "vs_part" } else { "vs_figure" },
+            fragment: Some(paint.fragment),
+            buffers: if paint.parts { &SKIN_SURFACE_AND_PART } else { &SKIN_AND_SURFACE },
+            constants: paint.constants(),
             groups: Groups::Lit,
             format: Some(PICTURE_FORMAT),
             samples: msaa.samples(),
@@ -212,6 +246,7 @@ impl Recipe {
             cull: None,
             depth: None,
             blend: Some(UNDER),
+            constants: Vec::new(),
         }
     }
 

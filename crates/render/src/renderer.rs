@@ -7,17 +7,19 @@ use glam::Vec3;
 use rig::{Bounds, Mesh};
 
 use crate::backdrop::BackdropImage;
+use crate::bands::PIECE_EDGE;
+use crate::bodies::Body;
 use crate::figures::Figures;
 use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
 use crate::overlay::{self, Layer, Overlay, Stroke};
 use crate::pipelines::Pipelines;
-use crate::recipe::Draw;
-use crate::scene::{FigureView, Pass, Scene};
+use crate::recipe::{Draw, Paint};
+use crate::scene::{FigureView, Pass, Scene, Style};
 use crate::shadow::ShadowMaps;
-use crate::skins::Skin;
 use crate::surfaces::{self, BALL_VERTICES, Corner, Shell};
 use crate::target::{Target, TargetKey};
+use crate::tile::Tile;
 use crate::uniforms::SceneUniform;
 use crate::{DrawError, Gpu, Image, openpose};
 
@@ -28,7 +30,7 @@ use crate::{DrawError, Gpu, Image, openpose};
 pub struct Renderer {
     gpu: Gpu,
     pipelines: Pipelines,
-    skins: HashMap<usize, Skin>,
+    bodies: HashMap<usize, Body>,
     scene_buffer: wgpu::Buffer,
     scene_group: wgpu::BindGroup,
     figures: Figures,
@@ -38,6 +40,7 @@ pub struct Renderer {
     fans: LayeredBuffer<Corner>,
     strokes: LayeredBuffer<Stroke>,
     target: Option<Target>,
+    piece_edge: u32,
 }
 
 impl Renderer {
@@ -65,10 +68,11 @@ impl Renderer {
             strokes: LayeredBuffer::new("strokes"),
             gpu: gpu.clone(),
             pipelines,
-            skins: HashMap::new(),
+            bodies: HashMap::new(),
             scene_buffer,
             scene_group,
             target: None,
+            piece_edge: PIECE_EDGE.min(gpu.max_edge()),
         }
     }
 
@@ -85,7 +89,7 @@ impl Renderer {
         if let Some(fault) = mesh.fault() {
             return Err(DrawError::Mesh(fault));
         }
-        self.skins.insert(slot, Skin::upload(&self.gpu.device, mesh));
+        self.bodies.insert(slot, Body::upload(&self.gpu.device, mesh));
         Ok(())
     }
 
@@ -120,15 +124,37 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
         scene: &Scene<'_>,
     ) -> Result<&wgpu::TextureView, DrawError> {
-        let size = self.checked_size(scene)?;
-        self.prepare_target(TargetKey::of(scene.pass, size, scene.look.msaa));
-        self.upload(scene, size);
+        self.check(scene, self.gpu.max_edge())?;
+        let scale = if scene.look.scale.is_finite() { scene.look.scale.clamp(0.1, 1.0) } else { 1.0 };
+        let size = scene.size.map(|s| ((s as f32 * scale).round() as u32).max(1));
+        self.draw_tile(encoder, scene, Tile::of_all(size))
+    }
+
+    /// Records a part of the picture, as [`Renderer::draw`] does the whole; the scene has been checked.
+    pub(crate) fn draw_tile(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene<'_>,
+        tile: Tile,
+    ) -> Result<&wgpu::TextureView, DrawError> {
+        self.prepare_target(TargetKey::of(scene.pass, tile.size, scene.look.msaa));
+        self.upload(scene, tile);
         self.prepare_pipelines(scene);
         if self.casts_shadow(scene) {
             self.record_shadow(encoder, scene);
         }
         self.record_picture(encoder, scene);
         self.picture_view().ok_or_else(|| DrawError::Driver("the picture's texture is gone".to_owned()))
+    }
+
+    /// Sets the longest edge of the pieces in which [`Renderer::image`] and [`Renderer::bands`] draw a large picture,
+    /// within 1 and what the device can hold. Smaller ones take less memory and more time.
+    pub fn set_piece_edge(&mut self, pixels: u32) {
+        self.piece_edge = pixels.clamp(1, self.gpu.max_edge());
+    }
+
+    pub(crate) fn piece_edge(&self) -> u32 {
+        self.piece_edge
     }
 
     /// The last picture: sRGB numbers, or a data pass's own, in a plain `Unorm` format; `None` before the first.
@@ -141,19 +167,18 @@ impl Renderer {
         self.target.as_ref().map(|t| &t.view)
     }
 
-    fn checked_size(&self, scene: &Scene<'_>) -> Result<[u32; 2], DrawError> {
-        let limit = self.gpu.max_edge();
+    /// That the scene can be drawn with edges of at most that many pixels.
+    pub(crate) fn check(&self, scene: &Scene<'_>, limit: u32) -> Result<(), DrawError> {
         let [width, height] = scene.size;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(DrawError::Size { width, height, limit });
         }
         for (figure, view) in scene.figures.iter().enumerate() {
-            if !self.skins.contains_key(&view.skin) {
+            if !self.bodies.contains_key(&view.skin) {
                 return Err(DrawError::NoSkin { figure, skin: view.skin });
             }
         }
-        let scale = if scene.look.scale.is_finite() { scene.look.scale.clamp(0.1, 1.0) } else { 1.0 };
-        Ok([width, height].map(|s| ((s as f32 * scale).round() as u32).max(1)))
+        Ok(())
     }
 
     fn prepare_target(&mut self, key: TargetKey) {
@@ -165,9 +190,9 @@ impl Renderer {
     }
 
     fn corners<'a>(&'a self, figures: &'a [FigureView<'_>]) -> impl Iterator<Item = Vec3> + 'a {
-        figures.iter().filter_map(|view| self.skins.get(&view.skin).map(|skin| (view, skin))).flat_map(
-            |(view, skin)| {
-                skin.bounds.corners(view.palette).map(|c| view.world_from_figure.transform_point3(c))
+        figures.iter().filter_map(|view| self.bodies.get(&view.skin).map(|body| (view, body))).flat_map(
+            |(view, body)| {
+                body.skin.bounds.corners(view.palette).map(|c| view.world_from_figure.transform_point3(c))
             },
         )
     }
@@ -177,7 +202,7 @@ impl Renderer {
     }
 
     /// Writes all that changes from picture to picture.
-    fn upload(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
+    fn upload(&mut self, scene: &Scene<'_>, tile: Tile) {
         let Gpu { device, queue, .. } = &self.gpu;
         let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
         let casters: Vec<Vec3> = self.corners(&solid).collect();
@@ -185,11 +210,11 @@ impl Renderer {
         let view = scene.camera.view_from_world();
         let depths = self.corners(scene.figures).map(|c| -view.transform_point3(c).z);
         let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
-        let uniform = SceneUniform::of(scene, size, &light, range);
-        let uniform = if scene.pass == Pass::OpenPose { uniform.flat() } else { uniform };
+        let uniform = SceneUniform::of(scene, tile, &light, range);
+        let uniform = if scene.pass == Pass::OpenPose { uniform.flat(tile) } else { uniform };
         queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&uniform));
         self.figures.write(device, queue, &self.pipelines.layouts.figure, scene.figures);
-        self.upload_marks(scene, size);
+        self.upload_marks(scene, tile.whole);
     }
 
     fn upload_marks(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
@@ -213,12 +238,13 @@ impl Renderer {
         draws.extend(self.balls.draws().map(|(_, seen, _)| Draw::Balls(seen)));
         draws.extend(self.fans.draws().map(|(_, seen, _)| Draw::Fans(seen)));
         draws.extend(self.strokes.draws().map(|(_, seen, _)| Draw::Strokes(seen)));
-        if let Some(fragment) = fragment_of(scene.pass) {
-            for view in scene.figures {
-                let two_sided = view.two_sided;
-                let other =
-                    if is_solid(view) { Draw::Shadow { two_sided } } else { Draw::Ghost { two_sided } };
-                draws.extend([Draw::Figure { fragment, two_sided }, other]);
+        for view in scene.figures {
+            let two_sided = view.two_sided;
+            let Some(paint) = paint_of(scene, view) else { continue };
+            let other = if is_solid(view) { Draw::Shadow { two_sided } } else { Draw::Ghost { two_sided } };
+            draws.extend([Draw::Figure { paint, two_sided }, other]);
+            if let Some(body) = self.bodies.get_mut(&view.skin).filter(|_| paint.parts) {
+                body.cut(&self.gpu.device);
             }
         }
         for draw in draws {
@@ -282,7 +308,7 @@ impl Renderer {
         let image = self.backdrop.as_ref().filter(|_| opaque && scene.look.backdrop_opacity > 0.0);
         let wanted = [
             (Draw::Grid, (scene.look.grid && opaque).then_some(soft)),
-            (Draw::Shade, (above && self.casts_shadow(scene)).then_some(soft)),
+            (Draw::Shade, (above && scene.look.ground_shadow && self.casts_shadow(scene)).then_some(soft)),
             (Draw::Image, image.map(|image| &image.group)),
             (Draw::Backdrop, opaque.then_some(soft)),
         ];
@@ -311,14 +337,14 @@ impl Renderer {
         scene: &Scene<'_>,
         chosen: impl Fn(&FigureView<'_>) -> bool,
     ) {
-        let Some(fragment) = fragment_of(scene.pass) else { return };
         pass.set_bind_group(2, &self.shadow.depth_group, &[]);
         for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| chosen(v)) {
             let two_sided = view.two_sided;
+            let Some(paint) = paint_of(scene, view) else { continue };
             if !is_solid(view) {
                 self.draw_skin(pass, Draw::Ghost { two_sided }, i, view);
             }
-            self.draw_skin(pass, Draw::Figure { fragment, two_sided }, i, view);
+            self.draw_skin(pass, Draw::Figure { paint, two_sided }, i, view);
         }
     }
 
@@ -350,13 +376,21 @@ impl Renderer {
     }
 
     fn draw_skin(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw, figure: usize, view: &FigureView<'_>) {
+        let Some(body) = self.bodies.get(&view.skin) else { return };
+        let parts = match draw {
+            Draw::Figure { paint, .. } if paint.parts => Some(&body.parts),
+            _ => None,
+        };
+        let skin = parts.and_then(Option::as_ref).map_or(&body.skin, |parts| &parts.skin);
         // An empty skin has no buffers to bind.
-        let Some(skin) = self.skins.get(&view.skin).filter(|s| s.index_count > 0) else { return };
-        if self.set_pipeline(pass, draw) {
+        if skin.index_count > 0 && self.set_pipeline(pass, draw) {
             pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
             pass.set_vertex_buffer(0, skin.vertices.slice(..));
             if !matches!(draw, Draw::Shadow { .. }) {
                 pass.set_vertex_buffer(1, skin.surface.slice(..));
+            }
+            if let Some(Some(parts)) = parts {
+                pass.set_vertex_buffer(2, parts.vertices.slice(..));
             }
             pass.set_index_buffer(skin.indices.slice(..), wgpu::IndexFormat::Uint32);
             pass.draw_indexed(0..skin.index_count, 0, 0..1);
@@ -376,13 +410,33 @@ fn is_solid(view: &FigureView<'_>) -> bool {
     view.opacity >= 1.0
 }
 
-fn fragment_of(pass: Pass) -> Option<&'static str> {
-    match pass {
-        Pass::Color => Some("fs_color"),
-        Pass::Depth => Some("fs_depth"),
-        Pass::Normal => Some("fs_normal"),
-        Pass::Silhouette => Some("fs_silhouette"),
+/// How a pass paints a figure; `None` if figures aren't in it.
+fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint> {
+    match scene.pass {
+        Pass::Color => {
+            let (fragment, parts) = fragment_of(scene.look.style, scene.look.joint_planes);
+            let marked = !(view.selected.is_empty() && view.hovered.is_empty());
+            Some(Paint { fragment, parts, shadowed: scene.look.shadow && is_solid(view), marked })
+        }
+        Pass::Depth => Some(Paint::plain("fs_depth")),
+        Pass::Normal => Some(Paint::plain("fs_normal")),
+        Pass::Silhouette => Some(Paint::plain("fs_silhouette")),
+        Pass::Parts => Some(Paint { parts: true, ..Paint::plain("fs_parts") }),
         Pass::OpenPose => None,
+    }
+}
+
+/// The style's shader, and whether it needs a skin cut into parts.
+fn fragment_of(style: Style, joint_planes: bool) -> (&'static str, bool) {
+    match (style, joint_planes) {
+        (Style::Studio, false) => ("fs_studio", false),
+        (Style::Studio, true) => ("fs_studio_parts", true),
+        (Style::Clay, false) => ("fs_clay", false),
+        (Style::Clay, true) => ("fs_clay_parts", true),
+        (Style::Matcap, false) => ("fs_matcap", false),
+        (Style::Matcap, true) => ("fs_matcap_parts", true),
+        (Style::Flat, _) => ("fs_flat", true),
+        (Style::Line, _) => ("fs_line", false),
     }
 }
 
@@ -390,7 +444,7 @@ fn clear_of(scene: &Scene<'_>) -> wgpu::Color {
     match scene.pass {
         Pass::Color => wgpu::Color::TRANSPARENT,
         Pass::Normal => wgpu::Color { r: 128.0 / 255.0, g: 128.0 / 255.0, b: 1.0, a: 1.0 },
-        Pass::Depth | Pass::Silhouette | Pass::OpenPose => wgpu::Color::BLACK,
+        Pass::Depth | Pass::Silhouette | Pass::Parts | Pass::OpenPose => wgpu::Color::BLACK,
     }
 }
 

@@ -1,9 +1,10 @@
 //! What is to be drawn, as plain data.
 
-use glam::{DVec3, Mat4, Vec3};
+use glam::{Mat4, Vec3};
 use rig::{Bone, Camera, Palette};
 
 use crate::Overlay;
+use crate::keypoints::Keypoints;
 use crate::overlay::Color;
 
 /// One picture: figures, camera, look and marks.
@@ -21,8 +22,8 @@ pub struct Scene<'a> {
     pub pass: Pass,
     /// Marks over it; only in [`Pass::Color`].
     pub overlay: &'a Overlay,
-    /// COCO keypoints by number (0 nose … 17 left ear), world space, metres; only for [`Pass::OpenPose`].
-    pub keypoints: &'a [(usize, DVec3)],
+    /// The keypoints of each person; only for [`Pass::OpenPose`].
+    pub keypoints: &'a [Keypoints],
 }
 
 static NO_MARKS: Overlay = Overlay::EMPTY;
@@ -88,8 +89,38 @@ pub enum Pass {
     Normal,
     /// The figures white on black.
     Silhouette,
-    /// COCO-18 keypoints and limbs in OpenPose colours on black.
+    /// Which bone moves the skin at each pixel, as the colour [`crate::part_color`] of that bone, on black. Nothing is
+    /// mixed at edges: every pixel is black or some bone's colour. Where bones share the skin, the strongest has it.
+    Parts,
+    /// Keypoints and limbs of body, hands and feet in OpenPose colours on black.
     OpenPose,
+}
+
+impl Pass {
+    /// Every pass.
+    pub const ALL: [Pass; 6] =
+        [Pass::Color, Pass::Depth, Pass::Normal, Pass::Silhouette, Pass::Parts, Pass::OpenPose];
+}
+
+/// How figures are drawn in the colour picture.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum Style {
+    /// The skin's own colours under studio lights: key, fill and rim.
+    #[default]
+    Studio,
+    /// Sculptor's clay of one colour, whatever the skin's.
+    Clay,
+    /// Wax in a light that goes with the camera, so that form reads alike from everywhere; the key light plays no part.
+    Matcap,
+    /// Flat tones, one colour for each part of the body, light and dark with a sharp border.
+    Flat,
+    /// A drawing with a pen on white paper: outlines, contours and creases.
+    Line,
+}
+
+impl Style {
+    /// Every style.
+    pub const ALL: [Style; 5] = [Style::Studio, Style::Clay, Style::Matcap, Style::Flat, Style::Line];
 }
 
 /// Samples a pixel.
@@ -125,10 +156,25 @@ pub struct Look {
     pub backdrop_opacity: f32,
     /// The grid and the axes on the ground y = 0.
     pub grid: bool,
-    /// Shadows of the key light, on the figures and on the ground.
+    /// What the figures are made of and drawn with.
+    pub style: Style,
+    /// Colours the parts of the body in wood tones with grooves at the joints, as on a jointed lay figure. Not in
+    /// [`Style::Line`], and [`Style::Flat`] has a colour for each part anyway.
+    pub joint_planes: bool,
+    /// Shadows of the key light on the figures.
     pub shadow: bool,
-    /// Samples a pixel. Depth and normals always take one.
+    /// The ground y = 0 catches the shadow. In a transparent picture it is otherwise clear: black whose alpha is the
+    /// shadow's strength, to be laid over any other picture. Needs [`Look::shadow`] and a camera above the ground.
+    pub ground_shadow: bool,
+    /// Darkens creases and where parts meet or stand on the ground, and softens shadows on the figures with the
+    /// distance to what casts them. Costs two passes over the figures.
+    pub ambient_occlusion: bool,
+    /// Samples a pixel. Depth, normals and parts always take one.
     pub msaa: Msaa,
+    /// Pixels drawn along each edge of a pixel of the picture that [`crate::Renderer::image`] and
+    /// [`crate::Renderer::bands`] make, 1 to 4; they are averaged. For stills: the cost grows with the square. Depth,
+    /// normals and parts ignore it, and so does [`crate::Renderer::draw`].
+    pub supersampling: u32,
     /// Resolution of the drawn texture over [`Scene::size`], within 0.1 to 1; [`crate::Blit`] stretches it.
     /// [`crate::Renderer::image`] ignores it.
     pub scale: f32,
@@ -148,8 +194,13 @@ impl Default for Look {
             transparent: false,
             backdrop_opacity: 0.0,
             grid: true,
+            style: Style::Studio,
+            joint_planes: false,
             shadow: true,
+            ground_shadow: true,
+            ambient_occlusion: true,
             msaa: Msaa::Four,
+            supersampling: 1,
             scale: 1.0,
             key_light: Vec3::new(-0.5, 1.05, 0.8),
             selected: [255, 128, 30, 190],
@@ -171,9 +222,18 @@ impl Look {
         }
     }
 
-    /// What a software adapter can draw fluently while something moves: one sample, no shadow, the rest as it is.
+    /// The same in bright or in dark surroundings: what [`Look::light`] and [`Look::default`] differ in.
+    #[must_use]
+    pub fn in_surroundings(self, bright: bool) -> Look {
+        let Look { background_top, background_bottom, selected, hovered, .. } =
+            if bright { Look::light() } else { Look::default() };
+        Look { background_top, background_bottom, selected, hovered, ..self }
+    }
+
+    /// What a software adapter can draw fluently while something moves: one sample, no shadow, no ambient occlusion,
+    /// the rest as it is.
     #[must_use]
     pub fn lean(self) -> Look {
-        Look { msaa: Msaa::One, shadow: false, ..self }
+        Look { msaa: Msaa::One, shadow: false, ambient_occlusion: false, ..self }
     }
 }

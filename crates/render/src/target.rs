@@ -17,9 +17,9 @@ pub(crate) struct TargetKey {
 }
 
 impl TargetKey {
-    /// The textures of a pass. Depth and normals must not mix at edges.
+    /// The textures of a pass. Depth, normals and parts must not mix at edges.
     pub fn of(pass: Pass, size: [u32; 2], msaa: Msaa) -> TargetKey {
-        let msaa = if matches!(pass, Pass::Depth | Pass::Normal) { Msaa::One } else { msaa };
+        let msaa = if matches!(pass, Pass::Depth | Pass::Normal | Pass::Parts) { Msaa::One } else { msaa };
         TargetKey { size, msaa }
     }
 }

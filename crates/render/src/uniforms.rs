@@ -1,12 +1,13 @@
 //! What the shaders read each picture, byte for byte.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec3};
-use rig::{Bone, Palette, Projection};
+use glam::Vec3;
+use rig::{Bone, PLACES, Palette, Projection, bone_of_place};
 
 use crate::light::Light;
 use crate::overlay::Color;
 use crate::scene::{FigureView, Scene};
+use crate::tile::Tile;
 
 /// Twin of `Scene` in scene.wgsl.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -19,6 +20,7 @@ pub(crate) struct SceneUniform {
     pub key: [f32; 4],
     pub fill: [f32; 4],
     pub viewport: [f32; 4],
+    pub tile: [f32; 4],
     pub background_top: [f32; 4],
     pub background_bottom: [f32; 4],
     pub ranges: [f32; 4],
@@ -56,17 +58,21 @@ impl FigureUniform {
     }
 }
 
+/// Bits of the places that belong to some bones: their own and their segments' twist places.
 fn mask(bones: &[Bone]) -> [u32; 2] {
-    let bits = bones.iter().fold(0_u64, |bits, b| bits | 1 << b.index());
+    let marked = |place: &usize| bones.contains(&bone_of_place(*place));
+    let bits = (0..PLACES).filter(marked).fold(0_u64, |bits, place| bits | 1 << place);
     [bits as u32, (bits >> 32) as u32]
 }
 
 impl SceneUniform {
-    /// `size` is that of the drawn texture; `depth_range` the figures' nearest and farthest view depth.
-    pub fn of(scene: &Scene<'_>, size: [u32; 2], light: &Light, depth_range: [f32; 2]) -> SceneUniform {
+    /// `tile` is what is drawn of the picture; `depth_range` the figures' nearest and farthest view depth.
+    pub fn of(scene: &Scene<'_>, tile: Tile, light: &Light, depth_range: [f32; 2]) -> SceneUniform {
         let camera = &scene.camera;
         let look = &scene.look;
-        let [width, height] = size.map(|s| s as f32);
+        let [width, height] = tile.size.map(|s| s as f32);
+        let [left, top] = tile.origin.map(|s| s as f32);
+        let [whole_width, whole_height] = tile.whole.map(|s| s as f32);
         let axes = camera.axes();
         let eye = match camera.projection {
             Projection::Perspective => camera.eye().extend(1.0),
@@ -76,13 +82,14 @@ impl SceneUniform {
         let reach = (camera.distance * 2.0).clamp(2.0, 100.0);
         let spacing = if camera.height_at_target() > 12.0 { 1.0 } else { 0.1 };
         SceneUniform {
-            clip_from_world: camera.clip_from_world(width / height).to_cols_array_2d(),
+            clip_from_world: (tile.from_whole() * camera.clip_from_world(tile.aspect())).to_cols_array_2d(),
             view_from_world: camera.view_from_world().to_cols_array_2d(),
             shadow_from_world: light.shadow_from_world.to_cols_array_2d(),
             eye: eye.to_array(),
             key: light.toward.extend(f32::from(u8::from(light.casts))).to_array(),
             fill: fill.extend(fill_strength(axes.z_axis, light.toward)).to_array(),
             viewport: [width, height, 1.0 / width, 1.0 / height],
+            tile: [left, top, whole_width, whole_height],
             background_top: unit(look.background_top),
             background_bottom: unit(look.background_bottom),
             ranges: [depth_range[0], depth_range[1], light.texel_m, 1.0 / light.size as f32],
@@ -94,9 +101,9 @@ impl SceneUniform {
         }
     }
 
-    /// The same, for strokes given in clip space.
-    pub fn flat(mut self) -> SceneUniform {
-        self.clip_from_world = Mat4::IDENTITY.to_cols_array_2d();
+    /// The same, for strokes given in the clip space of the whole picture.
+    pub fn flat(mut self, tile: Tile) -> SceneUniform {
+        self.clip_from_world = tile.from_whole().to_cols_array_2d();
         self
     }
 }

@@ -5,8 +5,8 @@ use std::sync::{LazyLock, Mutex};
 
 use glam::{DVec3, Mat4, Vec2, Vec3};
 use render::{
-    Ball, Blit, DrawError, Fan, FigureView, Gpu, Image, Layer, Line, Look, Marker, Msaa, Overlay, Pass,
-    Renderer, Scene, Shape,
+    Ball, Blit, DrawError, Fan, FigureView, Gpu, Image, Keypoints, Layer, Line, Look, Marker, Msaa, Overlay,
+    Pass, Renderer, Scene, Shape,
 };
 use rig::{Bone, Camera, Palette, Projection, View};
 
@@ -388,21 +388,18 @@ fn the_figure_casts_a_shadow_and_a_ghost_does_not() {
 fn openpose_draws_keypoints_in_their_colours() {
     let mut renderer = Renderer::new(&GPU);
     let camera = Camera::default();
-    let keypoints = [
-        (0, DVec3::new(0.0, 1.5, 0.0)),
-        (1, DVec3::new(0.0, 1.2, 0.0)),
-        (2, DVec3::new(-0.3, 1.2, 0.0)),
-        (99, DVec3::ZERO),
-        (3, DVec3::NAN),
-        (1, DVec3::new(0.5, 0.5, 0.0)),
-    ];
+    let [nose, neck, shoulder] = [[0.0, 1.5], [0.0, 1.2], [-0.3, 1.2]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let other = DVec3::new(0.5, 0.5, 0.0);
+    let mut keypoints = [Keypoints::default(); 2];
+    keypoints[0].body[..4].copy_from_slice(&[Some(nose), Some(neck), Some(shoulder), Some(DVec3::NAN)]);
+    keypoints[1].body[1] = Some(other);
     let scene = Scene { pass: Pass::OpenPose, keypoints: &keypoints, ..Scene::new(&[], camera, SIZE) };
     let image = draw(&mut renderer, &scene);
     let spot = |p: DVec3| at(&image, camera.pixel_of(p.as_vec3(), pixels()).unwrap());
-    assert_eq!(spot(keypoints[0].1), [255, 0, 0, 255]);
-    assert_eq!(spot(keypoints[1].1), [255, 85, 0, 255]);
-    assert_eq!(spot(keypoints[2].1), [255, 170, 0, 255]);
-    assert_eq!(spot(keypoints[5].1), [255, 85, 0, 255], "a second person");
+    assert_eq!(spot(nose), [255, 0, 0, 255]);
+    assert_eq!(spot(neck), [255, 85, 0, 255]);
+    assert_eq!(spot(shoulder), [255, 170, 0, 255]);
+    assert_eq!(spot(other), [255, 85, 0, 255], "a second person");
     assert_eq!(spot(DVec3::new(-0.15, 1.2, 0.0)), [153, 0, 0, 255], "neck to right shoulder, darkened");
     assert_eq!(spot(DVec3::new(0.25, 0.85, 0.0)), [0, 0, 0, 255], "persons are not joined");
     assert_eq!(image.pixel(0, 0), Some([0, 0, 0, 255]));

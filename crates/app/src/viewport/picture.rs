@@ -72,8 +72,7 @@ impl Picture {
 
     /// The surroundings of a light or a dark window.
     pub fn in_light(mut self, light: bool) -> Picture {
-        let theme = if light { Look::light() } else { Look::default() };
-        self.look = Look { msaa: self.look.msaa, shadow: self.look.shadow, ..theme };
+        self.look = self.look.in_surroundings(light);
         self
     }
 
