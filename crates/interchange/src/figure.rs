@@ -4,18 +4,22 @@
 
 mod file;
 mod keys;
+mod layers;
+mod shipped;
 
 use std::collections::BTreeMap;
 
 use glam::DVec3;
 use kin::Cone;
 use rig::{
-    Angles, Articulation, Articulator, Bone, Dof, Figure, Handshape, Joint, Limb, LimbRigs, Mesh, Part, Side,
-    Skeleton,
+    Angles, Articulation, Articulator, Body, Bone, Dof, Figure, Handshape, Joint, Limb, LimbRigs, Mesh,
+    MorphTargets, Part, Side, Skeleton,
 };
 
 use crate::{Spot, glb, urdf};
-use file::{AnyVersion, FigureFile, LimbName, VERSION};
+use file::{FigureFile, LimbName};
+use layers::Layers;
+pub use shipped::{LIBRARY, shipped, shipped_by_path, shipped_figures};
 
 /// A fault in a figure file or in a file that it names.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -34,8 +38,11 @@ impl FigureError {
     /// The error with the figure file's own name, or beside it for a file that it names.
     pub fn named(mut self, figure_file: &str) -> FigureError {
         let folder = figure_file.rfind(['/', '\\']).map_or("", |i| &figure_file[..=i]);
-        self.file =
-            if self.file.is_empty() { figure_file.to_owned() } else { format!("{folder}{}", self.file) };
+        self.file = match self.file {
+            file if file.is_empty() => figure_file.to_owned(),
+            file if file.starts_with(LIBRARY) || layers::is_absolute(&file) => file,
+            file => format!("{folder}{file}"),
+        };
         self
     }
 
@@ -59,17 +66,42 @@ impl std::fmt::Display for FigureError {
 
 impl std::error::Error for FigureError {}
 
-/// Reads a figure. `fetch` brings the bytes of a file that the figure file names, relative to it, or says why not.
+/// A figure file read, before its body is made.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Opened {
+    /// The figure that the body is made of: [`rig::shaped`] makes it over.
+    pub figure: Figure,
+    /// The morph targets of its skin.
+    pub targets: MorphTargets,
+    /// The body that the file gives.
+    pub body: Body,
+    /// What is odd but does no harm.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a figure. `fetch` brings the bytes of a file that the figure file names, relative to it, or says why not;
+/// names that begin with [`LIBRARY`] are those of shipped files and never fetched.
 ///
 /// Also returns warnings: what is odd but does no harm.
 ///
 /// # Errors
-/// The first fault in the figure file, its skeleton or its skin.
+/// The first fault in the figure file, its bases, its skeleton or its skin.
 pub fn load(
     figure_ron: &str,
     fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Result<(Figure, Vec<String>), FigureError> {
-    read(figure_ron, fetch, true)
+    finished(read(figure_ron, fetch, Wanted::Skin)?)
+}
+
+/// Reads a figure as [`load`] does, with every morph target and without making its body.
+///
+/// # Errors
+/// As [`load`].
+pub fn open(
+    figure_ron: &str,
+    fetch: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Result<Opened, FigureError> {
+    read(figure_ron, fetch, Wanted::Targets)
 }
 
 /// The figure that comes with the program, built in.
@@ -77,7 +109,7 @@ pub fn load(
 /// # Errors
 /// None while its files are whole, which a test watches.
 pub fn mannequin() -> Result<Figure, FigureError> {
-    built_in(true)
+    built_in(Wanted::Skin)
 }
 
 /// The figure that comes with the program, without its skin: all that posing needs, in a fraction of the time.
@@ -85,48 +117,72 @@ pub fn mannequin() -> Result<Figure, FigureError> {
 /// # Errors
 /// As [`mannequin`].
 pub fn bare_mannequin() -> Result<Figure, FigureError> {
-    built_in(false)
+    built_in(Wanted::Bones)
 }
 
-fn built_in(with_skin: bool) -> Result<Figure, FigureError> {
-    let mut fetch = |name: &str| match name {
-        "mannequin.urdf" => Ok(include_bytes!("../../../assets/figures/mannequin.urdf").to_vec()),
-        "mannequin.glb" => Ok(include_bytes!("../../../assets/figures/mannequin.glb").to_vec()),
-        other => Err(format!("\"{other}\" is not built in")),
+fn built_in(wanted: Wanted) -> Result<Figure, FigureError> {
+    let text = format!("(version: 1, base: \"{LIBRARY}mannequin.figure.ron\")");
+    read(&text, &mut |name| Err(format!("\"{name}\" is not built in")), wanted).map(|opened| opened.figure)
+}
+
+/// How much of a figure is read.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// No skin.
+    Bones,
+    /// The skin with the morph targets that the body asks for.
+    Skin,
+    /// The skin and all its morph targets.
+    Targets,
+}
+
+fn read(text: &str, fetch: Fetch<'_>, wanted: Wanted) -> Result<Opened, FigureError> {
+    let fetch: Fetch<'_> = &mut |name| match shipped_by_path(name) {
+        Some(found) => found.map(<[u8]>::to_vec),
+        None => fetch(name),
     };
-    let text = include_str!("../../../assets/figures/mannequin.figure.ron");
-    read(text, &mut fetch, with_skin).map(|(figure, _)| figure).map_err(|e| e.named("mannequin.figure.ron"))
-}
-
-fn read(text: &str, fetch: Fetch<'_>, with_skin: bool) -> Result<(Figure, Vec<String>), FigureError> {
-    let file = parse(text)?;
-    let reader = Reader { text, file: &file };
+    let layers = Layers::read(text, fetch)?;
+    let reader = Reader { file: &layers.file, layers: &layers };
     let (skeleton, mut warnings) = reader.skeleton(fetch)?;
+    let body = reader.body()?;
+    let (skin, targets) = reader.skin(&skeleton, fetch, wanted, &body)?;
     let figure = Figure {
         name: reader.name()?,
         articulators: reader.articulators(&skeleton)?,
         handshapes: reader.handshapes(&skeleton, &mut warnings)?,
         limbs: LimbRigs::new(&skeleton, reader.swing_bases()?),
-        skin: if with_skin { reader.skin(&skeleton, fetch)? } else { None },
+        skin,
         skeleton,
     };
-    Ok((figure, warnings))
+    Ok(Opened { figure, targets, body, warnings })
 }
 
-fn parse(text: &str) -> Result<FigureFile, FigureError> {
-    let fault = |f: rig::TextFault| FigureError::new("", Spot { line: f.line, column: f.column }, f.message);
-    let AnyVersion { version } = rig::from_ron(text).map_err(fault)?;
-    if version != VERSION {
-        let message = format!("version {version} is not known to this program, expected {VERSION}");
-        return Err(FigureError::new("", keys::spot(text, &["version"]), message));
+/// The figure with its body.
+fn finished(opened: Opened) -> Result<(Figure, Vec<String>), FigureError> {
+    let Opened { figure, targets, body, mut warnings } = opened;
+    if body.is_as_is() {
+        return Ok((figure, warnings));
     }
-    rig::from_ron(text).map_err(fault)
+    let shaped = rig::shaped(&figure, &targets, &body)
+        .map_err(|e| FigureError::new("", Spot::default(), e.to_string()))?;
+    for target in shaped.missing {
+        warnings.push(match &figure.skin {
+            Some(_) => {
+                format!("the skin has no morph target \"{target}\": that slider leaves its shape as it is")
+            }
+            None => format!("there is no skin for \"{target}\": that slider changes masses and joints only"),
+        });
+    }
+    if shaped.stature.is_none() {
+        warnings.push("the figure has no head to measure: stature and heads leave it as it is".to_owned());
+    }
+    Ok((shaped.figure, warnings))
 }
 
 /// A figure file on its way to a figure.
 struct Reader<'a> {
-    text: &'a str,
     file: &'a FigureFile,
+    layers: &'a Layers,
 }
 
 type Fetch<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>, String>;
@@ -134,18 +190,29 @@ type Fetch<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>, String>;
 impl Reader<'_> {
     /// A fault of the value at that path of keys.
     fn fault(&self, path: &[&str], message: impl Into<String>) -> FigureError {
-        FigureError::new("", keys::spot(self.text, path), message)
+        self.layers.fault(path, message)
     }
 
     fn name(&self) -> Result<String, FigureError> {
-        if self.file.name.trim().is_empty() {
-            return Err(self.fault(&["name"], "the figure's name is empty"));
+        match &self.file.name {
+            Some(name) if !name.trim().is_empty() => Ok(name.clone()),
+            Some(_) => Err(self.fault(&["name"], "the figure's name is empty")),
+            None => Err(self.fault(&[], "missing field `name`, or a `base` that has one")),
         }
-        Ok(self.file.name.clone())
+    }
+
+    fn body(&self) -> Result<Body, FigureError> {
+        self.file.body.body().map_err(|(slider, message)| self.fault(&["body", slider.name()], message))
+    }
+
+    /// The skeleton's file.
+    fn skeleton_file(&self) -> Result<&str, FigureError> {
+        let missing = || self.fault(&[], "missing field `skeleton`, or a `base` that has one");
+        self.file.skeleton.as_deref().ok_or_else(missing)
     }
 
     fn skeleton(&self, fetch: Fetch<'_>) -> Result<(Skeleton, Vec<String>), FigureError> {
-        let name = &self.file.skeleton;
+        let name = self.skeleton_file()?;
         let bytes = fetch(name).map_err(|e| self.fault(&["skeleton"], format!("\"{name}\": {e}")))?;
         let text = std::str::from_utf8(&bytes).map_err(|e| {
             let valid = std::str::from_utf8(&bytes[..e.valid_up_to()]).unwrap_or_default();
@@ -171,7 +238,8 @@ impl Reader<'_> {
 
     fn joint<'s>(&self, skeleton: &'s Skeleton, bone: Bone, path: &[&str]) -> Result<&'s Joint, FigureError> {
         skeleton.joint(bone).ok_or_else(|| {
-            self.fault(path, format!("the skeleton \"{}\" has no bone \"{bone}\"", self.file.skeleton))
+            let skeleton = self.file.skeleton.as_deref().unwrap_or_default();
+            self.fault(path, format!("the skeleton \"{skeleton}\" has no bone \"{bone}\""))
         })
     }
 
@@ -304,9 +372,10 @@ impl Reader<'_> {
         if bone.part() != Part::LeftHand {
             return Err(format!("bone \"{bone}\" is no finger bone of the left hand"));
         }
-        let joint = skeleton
-            .joint(bone)
-            .ok_or_else(|| format!("the skeleton \"{}\" has no bone \"{bone}\"", self.file.skeleton))?;
+        let joint = skeleton.joint(bone).ok_or_else(|| {
+            let skeleton = self.file.skeleton.as_deref().unwrap_or_default();
+            format!("the skeleton \"{skeleton}\" has no bone \"{bone}\"")
+        })?;
         for dof in Dof::ALL {
             let degrees = angles.get(dof);
             match joint.range(dof) {
@@ -325,14 +394,24 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn skin(&self, skeleton: &Skeleton, fetch: Fetch<'_>) -> Result<Option<Mesh>, FigureError> {
-        let Some(name) = &self.file.skin else { return Ok(None) };
+    fn skin(
+        &self,
+        skeleton: &Skeleton,
+        fetch: Fetch<'_>,
+        wanted: Wanted,
+        body: &Body,
+    ) -> Result<(Option<Mesh>, MorphTargets), FigureError> {
+        let Some(name) = self.file.skin.as_ref().filter(|_| wanted != Wanted::Bones) else {
+            return Ok((None, MorphTargets::new()));
+        };
         let bytes = fetch(name).map_err(|e| self.fault(&["skin"], format!("\"{name}\": {e}")))?;
-        let mesh = glb::read(&bytes, skeleton)
+        let asked = body.targets();
+        let target = |name: &str| wanted == Wanted::Targets || asked.iter().any(|(n, _)| *n == name);
+        let (mesh, targets) = glb::read_with_targets(&bytes, skeleton, &target)
             .map_err(|e| FigureError::new(name, Spot::default(), e.to_string()))?;
         match mesh.fault() {
             Some(fault) => Err(FigureError::new(name, Spot::default(), fault)),
-            None => Ok(Some(mesh)),
+            None => Ok((Some(mesh), targets)),
         }
     }
 }

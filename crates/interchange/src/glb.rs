@@ -1,14 +1,15 @@
-//! Skins as binary glTF 2.0: a mesh, the joints that carry it and their inverse binds.
+//! Skins as binary glTF 2.0: a mesh, the joints that carry it their inverse binds, morph targets.
 
 mod accessor;
 mod container;
 mod read;
+mod targets;
 mod write;
 
 use rig::Bone;
 
-pub use read::read;
-pub use write::write;
+pub use read::{read, read_with_targets};
+pub use write::{write, write_with_targets};
 
 /// The most vertices and triangle corners that are read.
 pub const MAX_CORNERS: usize = 12_000_000;

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use interchange::glb::{self, GlbError};
 use interchange::urdf;
 use proptest::prelude::*;
-use rig::{Bone, Mesh, Skeleton};
+use rig::{Bone, Mesh, MorphTargets, Skeleton};
 use serde_json::{Value, json};
 
 const SKIN: &[u8] = include_bytes!("../../../assets/figures/mannequin.glb");
@@ -319,4 +319,59 @@ proptest! {
             prop_assert_eq!(mesh.fault(), None);
         }
     }
+}
+
+/// Two targets: one of some vertices, one that moves nothing.
+fn small_targets() -> MorphTargets {
+    let wide = vec![(1, [0.25, -0.5, 0.0]), (3, [0.125, 0.0, 1e-4])];
+    MorphTargets::from([("wide".to_owned(), wide), ("none".to_owned(), Vec::new())])
+}
+
+/// The small skin with its targets, its document changed.
+fn changed_targets(change: impl FnOnce(&mut Value)) -> Result<MorphTargets, GlbError> {
+    let (mut json, data) =
+        document(&glb::write_with_targets(&small(), &small_targets(), skeleton(), "small"));
+    change(&mut json);
+    glb::read_with_targets(&file(&json, &data), skeleton(), &|_| true).map(|(_, targets)| targets)
+}
+
+#[test]
+fn morph_targets_are_read_back_bit_for_bit() {
+    let bytes = glb::write_with_targets(&small(), &small_targets(), skeleton(), "small");
+    let (mesh, targets) = glb::read_with_targets(&bytes, skeleton(), &|_| true).unwrap();
+    assert_eq!((&mesh, &targets), (&small(), &small_targets()));
+    assert_eq!(glb::read(&bytes, skeleton()).unwrap(), mesh);
+    let (_, one) = glb::read_with_targets(&bytes, skeleton(), &|name| name == "none").unwrap();
+    assert_eq!(one.keys().collect::<Vec<_>>(), ["none"]);
+    let (json, _) = document(&bytes);
+    assert_eq!(json["meshes"][0]["extras"]["targetNames"], json!(["none", "wide"]));
+    let sparse = &json["accessors"]
+        [json["meshes"][0]["primitives"][0]["targets"][1]["POSITION"].as_u64().unwrap() as usize];
+    assert_eq!(sparse["sparse"]["count"], 2);
+    assert_eq!(sparse["min"][1], -0.5);
+}
+
+#[test]
+fn damaged_morph_targets_are_told() {
+    let names =
+        |names: Value| changed_targets(|json| json["meshes"][0]["extras"] = json!({"targetNames": names}));
+    assert_eq!(names(json!(["a"])).unwrap().keys().collect::<Vec<_>>(), ["a", "target 1"]);
+    assert_eq!(names(json!(7)).unwrap().keys().collect::<Vec<_>>(), ["target 0", "target 1"]);
+    let wide = |json: &Value| {
+        json["meshes"][0]["primitives"][0]["targets"][1]["POSITION"].as_u64().unwrap() as usize
+    };
+    let short = changed_targets(|json| {
+        let at = wide(json);
+        json["accessors"][at]["sparse"]["indices"]["byteOffset"] = json!(1_000_000);
+    });
+    assert!(matches!(short, Err(GlbError::OutOfRange { .. })), "{short:?}");
+    let fewer = changed_targets(|json| {
+        let at = wide(json);
+        json["accessors"][at]["count"] = json!(3);
+    });
+    let told = fewer.unwrap_err().to_string();
+    assert!(told.contains("morph target \"wide\""), "{told}");
+    let beyond =
+        changed_targets(|json| json["meshes"][0]["primitives"][0]["targets"][1]["POSITION"] = json!(999));
+    assert!(matches!(beyond, Err(GlbError::Document(_))), "{beyond:?}");
 }

@@ -2,6 +2,7 @@
 
 mod balance;
 mod blend;
+mod body;
 mod bone;
 mod bounds;
 mod camera;
@@ -18,6 +19,7 @@ mod limb_rig;
 mod lock;
 mod mechanics;
 mod mesh;
+mod morph;
 mod pose;
 mod pose_file;
 mod reach;
@@ -31,6 +33,7 @@ mod turn_in_contact;
 
 pub use balance::balance;
 pub use blend::{PosePatch, apply_patch, handshape, mirror, mirrored_patch, mirrored_pose, reset};
+pub use body::{Body, BodySlider, Shaped, shaped};
 pub use bone::{Bone, Part, Side, nearest};
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Ray, View};
@@ -50,6 +53,7 @@ pub use limb_rig::LimbRigs;
 pub use lock::Locks;
 pub use mechanics::{MECHANICS_TOLERANCE_M, Mechanics, reach_with, turn_with};
 pub use mesh::Mesh;
+pub use morph::{MorphTarget, MorphTargets, add_targets};
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
 pub use pose_file::{
     POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_bones, write_parts,

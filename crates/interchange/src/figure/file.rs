@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
-use rig::{Angles, Bone, Limb};
+use rig::{Angles, Body, BodySlider, Bone, Limb};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 /// The version that is written.
@@ -22,19 +22,115 @@ pub struct AnyVersion {
 pub struct FigureFile {
     #[serde(rename = "version")]
     _version: u32,
-    pub name: String,
-    pub skeleton: String,
+    #[serde(default)]
+    pub base: Option<String>,
+    #[serde(default)]
+    pub name: Option<String>,
+    #[serde(default)]
+    pub skeleton: Option<String>,
     #[serde(default)]
     pub skin: Option<String>,
+    #[serde(default)]
+    pub body: BodyFile,
     #[serde(default)]
     pub roles: Unique<Bone, String>,
     #[serde(default)]
     pub cones: Unique<Bone, ConeFile>,
     #[serde(default)]
     pub swing_bases: Unique<LimbName, (f64, f64, f64)>,
+    #[serde(default)]
     pub articulators: Unique<LimbName, Unique<String, ArticulatorFile>>,
     #[serde(default)]
     pub handshapes: Unique<String, Unique<Bone, AnglesFile>>,
+}
+
+impl FigureFile {
+    /// What is not written here is taken from a base; maps key by key.
+    pub fn on(mut self, base: FigureFile) -> FigureFile {
+        self.name = self.name.or(base.name);
+        self.skeleton = self.skeleton.or(base.skeleton);
+        self.skin = self.skin.or(base.skin);
+        self.body = self.body.on(&base.body);
+        self.roles.fill(base.roles);
+        self.cones.fill(base.cones);
+        self.swing_bases.fill(base.swing_bases);
+        self.handshapes.fill(base.handshapes);
+        for (limb, points) in base.articulators.0 {
+            self.articulators.0.entry(limb).or_default().fill(points);
+        }
+        self
+    }
+}
+
+/// Sliders of the body; what isn't written is as it is in the figure.
+#[derive(serde::Deserialize, Clone, Copy, Default)]
+#[serde(deny_unknown_fields, default)]
+pub struct BodyFile {
+    stature: Option<f64>,
+    sex: Option<f64>,
+    build: Option<f64>,
+    muscle: Option<f64>,
+    age: Option<f64>,
+    heads: Option<f64>,
+    arms: Option<f64>,
+    legs: Option<f64>,
+    shoulders: Option<f64>,
+    hips: Option<f64>,
+    flexibility: Option<f64>,
+}
+
+impl BodyFile {
+    fn get(&self, slider: BodySlider) -> Option<f64> {
+        match slider {
+            BodySlider::Stature => self.stature,
+            BodySlider::Sex => self.sex,
+            BodySlider::Build => self.build,
+            BodySlider::Muscle => self.muscle,
+            BodySlider::Age => self.age,
+            BodySlider::Heads => self.heads,
+            BodySlider::Arms => self.arms,
+            BodySlider::Legs => self.legs,
+            BodySlider::Shoulders => self.shoulders,
+            BodySlider::Hips => self.hips,
+            BodySlider::Flexibility => self.flexibility,
+        }
+    }
+
+    fn on(self, base: &BodyFile) -> BodyFile {
+        BodyFile {
+            stature: self.stature.or(base.stature),
+            sex: self.sex.or(base.sex),
+            build: self.build.or(base.build),
+            muscle: self.muscle.or(base.muscle),
+            age: self.age.or(base.age),
+            heads: self.heads.or(base.heads),
+            arms: self.arms.or(base.arms),
+            legs: self.legs.or(base.legs),
+            shoulders: self.shoulders.or(base.shoulders),
+            hips: self.hips.or(base.hips),
+            flexibility: self.flexibility.or(base.flexibility),
+        }
+    }
+
+    /// The body.
+    ///
+    /// # Errors
+    /// The first slider out of its range, and that range.
+    pub fn body(&self) -> Result<Body, (BodySlider, String)> {
+        let mut body = Body::AS_IS;
+        for slider in BodySlider::ALL {
+            let Some(value) = self.get(slider) else { continue };
+            let range = slider.range();
+            if !range.contains(value) {
+                let (name, unit) =
+                    (slider.name(), if slider == BodySlider::Stature { " metres" } else { "" });
+                let expected = format!("expected {} to {}{unit}", range.min, range.max);
+                return Err((slider, format!("{name} of the body is {value}, {expected}")));
+            }
+            body = body.with(slider, value);
+        }
+        Ok(body)
+    }
 }
 
 /// A swing's cone: axis in figure axes at rest, half angle in degrees.
@@ -106,6 +202,15 @@ where
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(UniqueVisitor(PhantomData))
+    }
+}
+
+impl<K: Ord, V> Unique<K, V> {
+    /// Takes the entries of another whose keys are missing here.
+    fn fill(&mut self, other: Unique<K, V>) {
+        for (key, value) in other.0 {
+            self.0.entry(key).or_insert(value);
+        }
     }
 }
 

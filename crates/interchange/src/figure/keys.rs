@@ -6,6 +6,11 @@ use crate::Spot;
 ///
 /// A key is a field's name or a map's quoted key; the path goes from the outermost in.
 pub fn spot(text: &str, path: &[&str]) -> Spot {
+    find(text, path).0
+}
+
+/// As [`spot`], and how many keys of the path are there.
+pub fn find(text: &str, path: &[&str]) -> (Spot, usize) {
     let mut found = 0;
     let mut wanted = path.iter();
     let mut next = wanted.next();
@@ -29,7 +34,7 @@ pub fn spot(text: &str, path: &[&str]) -> Spot {
             break;
         }
     }
-    Spot::at(text, found)
+    (Spot::at(text, found), level - 1)
 }
 
 struct Token<'a> {
@@ -110,6 +115,8 @@ mod tests {
         assert_eq!(at(&["cones", "leftHand"]), (5, 5));
         assert_eq!(at(&["cones", "leftHand", "axis"]), (5, 18));
         assert_eq!(at(&["hands", "leftHand"]), (7, 23));
+        assert_eq!(find(TEXT, &["hands", "leftHand"]).1, 2);
+        assert_eq!(find(TEXT, &["hands", "rightHand"]).1, 1);
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use glam::{DMat3, DMat4, DVec3};
 use gltf::mesh::{Mode, Primitive, Semantic};
-use rig::{Bone, Mesh, Skeleton, nearest};
+use rig::{Bone, Mesh, MorphTargets, Skeleton, nearest};
 
 use super::accessor::{indices, rows};
 use super::container::split;
-use super::{GlbError, MAX_CORNERS};
+use super::{GlbError, MAX_CORNERS, targets};
 
 /// How far a joint may rest from the skeleton's, metres.
 const REST_TOLERANCE: f64 = 1e-3;
@@ -23,29 +23,47 @@ const ROUNDING: f64 = 1e-6;
 /// Broken files, data outside of the file, numbers that are not finite, joints that hang on no bone or rest more
 /// than 1 mm from the skeleton's, a file without triangles.
 pub fn read(bytes: &[u8], skeleton: &Skeleton) -> Result<Mesh, GlbError> {
+    read_with_targets(bytes, skeleton, &|_| false).map(|(mesh, _)| mesh)
+}
+
+/// Reads the skin of a skeleton as [`read`] does, and those of its morph targets that are wanted by name.
+///
+/// Only what targets do to places is read, in figure space at rest; a target without a name is called `target 0` and
+/// so on. Targets of one name in several primitives are one.
+///
+/// # Errors
+/// As [`read`], and the same faults of a wanted target's data.
+pub fn read_with_targets(
+    bytes: &[u8],
+    skeleton: &Skeleton,
+    wanted: &dyn Fn(&str) -> bool,
+) -> Result<(Mesh, MorphTargets), GlbError> {
     let parts = split(bytes)?;
     let broken = |e: &dyn std::fmt::Display| GlbError::Document(e.to_string());
     let root = gltf::json::Root::from_slice(parts.json).map_err(|e| broken(&e))?;
     // The library's own validation looks these accessors up unchecked.
     let mut primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
-    if primitives.any(|p| p.attributes.values().any(|accessor| accessor.value() >= root.accessors.len())) {
+    let attributes =
+        primitives.any(|p| p.attributes.values().any(|accessor| accessor.value() >= root.accessors.len()));
+    if attributes || !targets::accessors_exist(&root) {
         return Err(broken(&"an attribute names an accessor beyond the last"));
     }
     let document = gltf::Document::from_json(root).map_err(|e| broken(&e))?;
     let tree = Tree::new(&document)?;
-    let mut reader = Reader { data: parts.data, skeleton, tree, mesh: Mesh::default() };
+    let names = targets::names(parts.json);
+    let (mesh, targets) = (Mesh::default(), MorphTargets::new());
+    let mut reader = Reader { data: parts.data, skeleton, tree, mesh, names, wanted, targets };
     for node in document.nodes() {
         let Some(mesh) = node.mesh() else { continue };
         let binding = reader.binding(&node)?;
         for primitive in mesh.primitives() {
-            let what = format!("mesh {} primitive {}", mesh.index(), primitive.index());
-            reader.primitive(&primitive, &binding, &what)?;
+            reader.primitive(&primitive, &binding, mesh.index())?;
         }
     }
     if reader.mesh.indices.is_empty() {
         return Err(GlbError::Empty);
     }
-    Ok(reader.mesh)
+    Ok((reader.mesh, reader.targets))
 }
 
 /// The nodes: whose child each is, where it is, what it is called.
@@ -121,6 +139,9 @@ struct Reader<'a> {
     skeleton: &'a Skeleton,
     tree: Tree,
     mesh: Mesh,
+    names: targets::Names,
+    wanted: &'a dyn Fn(&str) -> bool,
+    targets: MorphTargets,
 }
 
 impl Reader<'_> {
@@ -172,8 +193,9 @@ impl Reader<'_> {
         &mut self,
         primitive: &Primitive<'_>,
         binding: &Binding,
-        what: &str,
+        mesh: usize,
     ) -> Result<(), GlbError> {
+        let what = &format!("mesh {mesh} primitive {}", primitive.index());
         if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
             return Ok(());
         }
@@ -205,6 +227,14 @@ impl Reader<'_> {
             self.mesh.colors.push(std::array::from_fn(shade));
             self.mesh.joints.push(*joints);
             self.mesh.weights.push(*weights);
+        }
+        let source = (self.data, what.as_str());
+        for (name, moved) in targets::wanted(primitive, self.names.get(mesh), self.wanted, count, source)? {
+            let target = self.targets.entry(name).or_default();
+            for (i, delta) in moved.iter().enumerate().filter(|(_, delta)| **delta != DVec3::ZERO) {
+                let own = delta.as_vec3().to_array();
+                target.push(((first + i) as u32, kept(&own, apply(&influences[i].0, *delta, 0.0))));
+            }
         }
         self.mesh.indices.extend(corners.iter().map(|c| c + first as u32));
         fill_normals(&mut self.mesh, first, &corners);

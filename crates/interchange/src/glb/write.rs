@@ -1,6 +1,6 @@
 //! A skin to bytes.
 
-use rig::{Bone, Mesh, Skeleton};
+use rig::{Bone, Mesh, MorphTarget, MorphTargets, Skeleton};
 use serde_json::{Value, json};
 
 use super::container::join;
@@ -10,6 +10,12 @@ use super::container::join;
 /// Colours are rounded to 16 bits; everything else is kept bit for bit. The mesh should have no [`Mesh::fault`];
 /// of a faulty one whole vertices and triangles are written. A mesh without triangles gives a file of joints alone.
 pub fn write(mesh: &Mesh, skeleton: &Skeleton, name: &str) -> Vec<u8> {
+    write_with_targets(mesh, &MorphTargets::new(), skeleton, name)
+}
+
+/// A skin as [`write`] does, with morph targets in the order of their names: sparse, of places alone. Vertices that
+/// the mesh lacks are left out.
+pub fn write_with_targets(mesh: &Mesh, targets: &MorphTargets, skeleton: &Skeleton, name: &str) -> Vec<u8> {
     let mut file = File { bones: skeleton.joints().map(|j| j.bone).collect(), ..File::default() };
     let nodes = file.nodes(skeleton);
     let hips = json!(nodes.len() - file.bones.len());
@@ -19,10 +25,18 @@ pub fn write(mesh: &Mesh, skeleton: &Skeleton, name: &str) -> Vec<u8> {
         "scenes": [{"name": name, "nodes": [hips]}],
     });
     let mut nodes = nodes;
-    if let Some(primitive) = file.primitive(mesh) {
+    if let Some(mut primitive) = file.primitive(mesh) {
+        if !targets.is_empty() {
+            let list = targets.values().map(|t| json!({"POSITION": file.target(t, mesh.vertex_count())}));
+            primitive["targets"] = list.collect();
+        }
         let binds = file.inverse_binds(skeleton);
         let joints: Vec<usize> = (1..=file.bones.len()).collect();
         root["meshes"] = json!([{"name": name, "primitives": [primitive]}]);
+        if !targets.is_empty() {
+            root["meshes"][0]["weights"] = json!(vec![0; targets.len()]);
+            root["meshes"][0]["extras"] = json!({"targetNames": targets.keys().collect::<Vec<_>>()});
+        }
         root["skins"] =
             json!([{"name": name, "inverseBindMatrices": binds, "joints": joints, "skeleton": 1}]);
         root["materials"] = json!([{
@@ -78,6 +92,15 @@ impl File {
         nodes
     }
 
+    /// Appends rows as one view; returns its number.
+    fn view<const N: usize>(&mut self, rows: impl ExactSizeIterator<Item = [u8; N]>) -> usize {
+        self.data.resize(self.data.len().next_multiple_of(4), 0);
+        let start = self.data.len();
+        rows.for_each(|row| self.data.extend(row));
+        self.views.push(json!({"buffer": 0, "byteOffset": start, "byteLength": self.data.len() - start}));
+        self.views.len() - 1
+    }
+
     /// Appends rows as one view and one accessor; returns the accessor's number.
     fn put<const N: usize>(
         &mut self,
@@ -85,17 +108,12 @@ impl File {
         (component, kind): (u32, &str),
         target: Option<u32>,
     ) -> usize {
-        self.data.resize(self.data.len().next_multiple_of(4), 0);
-        let (start, count) = (self.data.len(), rows.len());
-        rows.for_each(|row| self.data.extend(row));
-        let mut view = json!({"buffer": 0, "byteOffset": start, "byteLength": self.data.len() - start});
+        let count = rows.len();
+        let view = self.view(rows);
         if let Some(target) = target {
-            view["target"] = json!(target);
+            self.views[view]["target"] = json!(target);
         }
-        self.views.push(view);
-        let accessor = json!({
-            "bufferView": self.views.len() - 1, "componentType": component, "count": count, "type": kind,
-        });
+        let accessor = json!({"bufferView": view, "componentType": component, "count": count, "type": kind});
         self.accessors.push(accessor);
         self.accessors.len() - 1
     }
@@ -143,6 +161,34 @@ impl File {
             "indices": indices,
             "material": 0,
         }))
+    }
+
+    /// A morph target as a sparse accessor. One that moves nothing writes down that the first vertex stays: readers
+    /// want either a view or a sparse part.
+    fn target(&mut self, target: &MorphTarget, n: usize) -> usize {
+        let mut moved: Vec<(u32, [f32; 3])> =
+            target.iter().filter(|(v, _)| (*v as usize) < n).copied().collect();
+        if moved.is_empty() {
+            moved.push((0, [0.0; 3]));
+        }
+        // What is left out is zero, so zero belongs to the extent.
+        let deltas: Vec<[f32; 3]> = moved.iter().map(|m| m.1).chain([[0.0; 3]]).collect();
+        let (low, high) = extent(&deltas);
+        let (at, kind) = if n <= usize::from(u16::MAX) {
+            (self.view(moved.iter().map(|m| (m.0 as u16).to_le_bytes())), U16)
+        } else {
+            (self.view(moved.iter().map(|m| m.0.to_le_bytes())), U32)
+        };
+        let values = self.view(moved.iter().map(|m| floats(&m.1)));
+        self.accessors.push(json!({
+            "componentType": F32, "count": n, "type": "VEC3", "min": low, "max": high,
+            "sparse": {
+                "count": moved.len(),
+                "indices": {"bufferView": at, "componentType": kind},
+                "values": {"bufferView": values},
+            },
+        }));
+        self.accessors.len() - 1
     }
 
     /// The skin's number for each bone; a bone that the skeleton lacks takes its carrier's.
