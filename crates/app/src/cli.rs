@@ -1,16 +1,17 @@
 //! The command line: what is asked, done headless or in a window.
 
+mod pictures;
+
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
 use edit::{Editor, NoFiles, Report, Request, parse_script, run_script};
 
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text, write_atomic};
 use crate::failure::Failure;
 use crate::load::{self, Kind};
-use crate::picture::{Shot, picture, write_png};
-use crate::window::{Showing, ui_picture};
+use pictures::RenderArguments;
 
 /// Poses a skinned figure: forward and inverse gestures in any mix.
 #[derive(Parser, Debug)]
@@ -52,34 +53,8 @@ enum Task {
         #[arg(long, value_name = "JSON")]
         report: Option<PathBuf>,
     },
-    /// Draws a pose, or what a script makes of the figure, to a PNG; needs no display.
-    Render {
-        /// The pose, script or figure file.
-        file: PathBuf,
-        /// The PNG to write.
-        #[arg(short, long, value_name = "PNG")]
-        output: PathBuf,
-        /// Another figure, *.figure.ron.
-        #[arg(long)]
-        figure: Option<PathBuf>,
-        /// Pixels.
-        #[arg(long, default_value = "1280x800", value_parser = size, value_name = "WxH")]
-        size: [u32; 2],
-        /// From where: front, back, left, right, top, bottom or three-quarter.
-        #[arg(long, default_value = "three-quarter")]
-        view: rig::View,
-        /// What each pixel says.
-        #[arg(long, default_value = "color")]
-        pass: PassName,
-        /// Leaves the background clear.
-        #[arg(long)]
-        transparent: bool,
-        /// Draws the whole window with its panels.
-        #[arg(long)]
-        ui: bool,
-        #[command(flatten)]
-        showing: Showing,
-    },
+    /// Draws a pose, or what a script makes of the figure: stills, turntables, passes, keypoints; needs no display.
+    Render(Box<RenderArguments>),
     /// Tells what a pose comes to.
     Inspect {
         /// The pose, script or figure file.
@@ -100,27 +75,6 @@ enum Task {
         #[arg(long)]
         figure: Option<PathBuf>,
     },
-}
-
-#[derive(Clone, Copy, ValueEnum, Debug)]
-enum PassName {
-    Color,
-    Depth,
-    Normal,
-    Silhouette,
-    Openpose,
-}
-
-impl From<PassName> for render::Pass {
-    fn from(name: PassName) -> render::Pass {
-        match name {
-            PassName::Color => render::Pass::Color,
-            PassName::Depth => render::Pass::Depth,
-            PassName::Normal => render::Pass::Normal,
-            PassName::Silhouette => render::Pass::Silhouette,
-            PassName::Openpose => render::Pass::OpenPose,
-        }
-    }
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
@@ -164,10 +118,7 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
         Some(Task::Run { script, on, figure, save, report }) => {
             run(&script, on.as_deref(), figure.as_deref(), save.as_deref(), report.as_deref()).map_err(one)
         }
-        Some(Task::Render { file, output, figure, size, view, pass, transparent, ui, showing }) => {
-            let shot = Shot { size, view, pass: pass.into(), transparent };
-            render(&file, &output, figure.as_deref(), &shot, ui.then_some(&showing)).map_err(one)
-        }
+        Some(Task::Render(told)) => pictures::render(&told).map_err(one),
         Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
     }
@@ -224,22 +175,6 @@ fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
-}
-
-/// A picture of the figure, or of the whole window if something is to show in it.
-fn render(
-    file: &Path,
-    output: &Path,
-    figure: Option<&Path>,
-    shot: &Shot,
-    window: Option<&Showing>,
-) -> Result<(), Failure> {
-    let editor = load::editor(&load::figure(figure)?, file)?;
-    let image = match window {
-        Some(showing) => ui_picture(&editor, file, shot, showing)?,
-        None => picture(&editor, shot)?,
-    };
-    write_png(&image, output)
 }
 
 fn inspect(file: &Path, json: bool, figure: Option<&Path>) -> Result<(), Failure> {

@@ -84,16 +84,83 @@ fn named(path: &Path, error: &std::io::Error) -> Failure {
 
 /// A whole file beside its future place.
 fn beside(path: &Path, bytes: &[u8]) -> Result<tempfile::NamedTempFile, Failure> {
-    let fault = |e: std::io::Error| named(path, &e);
+    let mut temporary = begun(path)?;
+    temporary.write_all(bytes).map_err(|e| named(path, &e))?;
+    finished(temporary, path)
+}
+
+/// An empty file beside its future place, of the same ending.
+fn begun(path: &Path) -> Result<tempfile::NamedTempFile, Failure> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut temporary = tempfile::Builder::new().prefix(".posewright-").tempfile_in(folder).map_err(fault)?;
-    temporary.write_all(bytes).map_err(fault)?;
+    let ending = path.extension().map_or_else(String::new, |ending| format!(".{}", ending.to_string_lossy()));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".posewright-").suffix(&ending).tempfile_in(folder).map_err(|e| named(path, &e))
+}
+
+/// The same file, on the disk and with the permissions of what it takes the place of.
+fn finished(temporary: tempfile::NamedTempFile, path: &Path) -> Result<tempfile::NamedTempFile, Failure> {
+    let fault = |e: std::io::Error| named(path, &e);
     temporary.as_file().sync_all().map_err(fault)?;
     let permissions = fs::metadata(path).map(|m| m.permissions()).ok().or_else(ordinary);
     if let Some(permissions) = permissions {
         temporary.as_file().set_permissions(permissions).map_err(fault)?;
     }
     Ok(temporary)
+}
+
+/// A file that is written piece by piece beside its place and takes it when it is whole. Dropped before, it leaves nothing.
+#[derive(Debug)]
+pub struct Draft {
+    temporary: tempfile::NamedTempFile,
+    place: PathBuf,
+}
+
+impl Draft {
+    /// Begins a file.
+    ///
+    /// # Errors
+    /// A folder that is missing or can't be written; the message names the file.
+    pub fn begin(place: &Path) -> Result<Draft, Failure> {
+        // A link is followed, so that the file it names is replaced and not the link.
+        let place = fs::canonicalize(place).unwrap_or_else(|_| place.to_owned());
+        Ok(Draft { temporary: begun(&place)?, place })
+    }
+
+    /// Where the unfinished file is, for another program that writes it.
+    pub fn path(&self) -> &Path {
+        self.temporary.path()
+    }
+
+    /// The whole file takes its place.
+    ///
+    /// # Errors
+    /// The disk fails; the message names the file.
+    pub fn finish(self) -> Result<(), Failure> {
+        let Draft { temporary, place } = self;
+        finished(temporary, &place)?.persist(&place).map_err(|e| named(&place, &e.error))?;
+        Ok(())
+    }
+
+    /// A fault of writing, with the file's name.
+    pub fn fault(place: &Path, error: &std::io::Error) -> Failure {
+        named(place, error)
+    }
+}
+
+impl std::io::Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.temporary.as_file_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.temporary.as_file_mut().flush()
+    }
+}
+
+impl std::io::Seek for Draft {
+    fn seek(&mut self, to: std::io::SeekFrom) -> std::io::Result<u64> {
+        self.temporary.as_file_mut().seek(to)
+    }
 }
 
 /// What a new file may be: temporary ones are readable by their owner only.
@@ -158,6 +225,24 @@ mod tests {
         assert_eq!(fs::read(&path).unwrap(), b"former");
         write_atomic(&path, b"new").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
+    }
+
+    #[test]
+    fn a_draft_that_is_dropped_leaves_the_former_file_and_nothing_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.gif");
+        fs::write(&path, b"former").unwrap();
+        let mut draft = Draft::begin(&path).unwrap();
+        assert!(draft.path().extension().is_some_and(|ending| ending == "gif"));
+        draft.write_all(b"half").unwrap();
+        drop(draft);
+        assert_eq!(fs::read(&path).unwrap(), b"former");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        let mut draft = Draft::begin(&path).unwrap();
+        draft.write_all(b"whole").unwrap();
+        draft.finish().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"whole");
+        assert!(Draft::begin(&folder.path().join("missing").join("a.gif")).is_err());
     }
 
     #[test]

@@ -14,6 +14,15 @@ pub enum Failure {
     /// There is no display for a window, or no graphics adapter: exit code 3. The message names the cure.
     #[error("{0}")]
     NoScreen(String),
+    /// The user stopped it: exit code 130, as shells have it for Ctrl+C.
+    #[error("stopped")]
+    Stopped,
+}
+
+impl From<render::DrawError> for Failure {
+    fn from(error: render::DrawError) -> Failure {
+        Failure::Input(error.to_string())
+    }
 }
 
 impl Failure {
@@ -23,6 +32,7 @@ impl Failure {
             Failure::Input(_) => 1,
             Failure::Usage(_) => 2,
             Failure::NoScreen(_) => 3,
+            Failure::Stopped => 130,
         })
     }
 }

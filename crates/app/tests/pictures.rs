@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use app::load;
-use app::picture::{Shot, picture, write_png};
-use render::{Image, Pass};
+use app::picture::{Darkroom, Facts, Posed, Shot, Viewpoint, write_png};
+use render::{Image, Look};
 use rig::{Bone, View};
 
 /// How far a channel may be off before a pixel counts as different: drivers round differently.
@@ -67,14 +67,17 @@ fn different(drawn: &Image, wanted: &image::RgbaImage) -> usize {
 }
 
 /// Draws a pose and says what is wrong with the picture; the drawn one is left in the temporary folder.
-fn compare(name: &str, view: View) -> Result<(), String> {
+fn compare(darkroom: &mut Darkroom, name: &str, view: View) -> Result<(), String> {
     let figure = load::figure(None).unwrap();
     let editor = load::editor(&figure, &pose_file(name)).unwrap();
-    let shot = Shot { size: [EDGE, EDGE], view, pass: Pass::Color, transparent: true };
-    let drawn = picture(&editor, &shot).map_err(|e| format!("{name}: {e}"))?;
+    let look = Look { transparent: true, ..Look::default() };
+    let shot = Shot { look, ..Shot::new([EDGE, EDGE]) };
+    let posed = Posed::of(&editor);
+    let camera = Viewpoint::from(view).camera(posed.bounds(), shot.aspect());
+    let drawn = darkroom.image(&posed, camera, &shot).map_err(|e| format!("{name}: {e}"))?;
     let file = format!("{name}-{view}.png");
     if updating() {
-        return write_png(&drawn, &stored(&file)).map_err(|e| e.to_string());
+        return write_png(&drawn, &Facts::default(), &stored(&file)).map_err(|e| e.to_string());
     }
     let wanted = image::open(stored(&file)).map_err(|e| format!("{file}: {e}"))?.into_rgba8();
     let count = different(&drawn, &wanted);
@@ -82,12 +85,14 @@ fn compare(name: &str, view: View) -> Result<(), String> {
         return Ok(());
     }
     let left = Path::new(env!("CARGO_TARGET_TMPDIR")).join(&file);
-    write_png(&drawn, &left).map_err(|e| e.to_string())?;
+    write_png(&drawn, &Facts::default(), &left).map_err(|e| e.to_string())?;
     Err(format!("{file}: {count} pixels differ, at most {MOST_DIFFERENT} may; drawn: {}", left.display()))
 }
 
 fn compare_all(view: View) {
-    let faults: Vec<String> = POSES.iter().filter_map(|name| compare(name, view).err()).collect();
+    let mut darkroom = Darkroom::open().unwrap();
+    let faults: Vec<String> =
+        POSES.iter().filter_map(|name| compare(&mut darkroom, name, view).err()).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 

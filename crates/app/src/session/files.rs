@@ -103,8 +103,12 @@ impl Session {
     /// Writes what the view shows, without marks.
     fn save_picture(&mut self, path: &Path) {
         let size = self.viewport.picture_size;
-        let drawn = picture::seen(&self.editor, self.viewport.camera_for_picture(), size);
-        let written = drawn.and_then(|image| picture::write_png(&image, path));
+        let camera = self.viewport.camera_for_picture();
+        let posed = picture::Posed::of(&self.editor);
+        let shot = picture::Shot::new(size);
+        let drawn = picture::Darkroom::open().and_then(|mut room| room.image(&posed, camera, &shot));
+        let facts = picture::Facts::new(&self.file_name(), &posed.figure.name);
+        let written = drawn.and_then(|image| picture::write_png(&image, &facts, path));
         match written {
             Ok(()) => {
                 let message = format!("Saved {} · {} × {} pixels", path.display(), size[0], size[1]);

@@ -5,10 +5,11 @@ use std::path::Path;
 use edit::Editor;
 use egui::{Context, Event, Pos2, RawInput, Rect};
 use render::Image;
+use rig::View;
 
 use crate::failure::Failure;
 use crate::painter::Painter;
-use crate::picture::{Shot, open_gpu};
+use crate::picture::open_gpu;
 use crate::session::Session;
 use crate::theme;
 
@@ -18,10 +19,16 @@ use super::Showing;
 ///
 /// # Errors
 /// No adapter.
-pub fn ui_picture(editor: &Editor, file: &Path, shot: &Shot, showing: &Showing) -> Result<Image, Failure> {
+pub fn ui_picture(
+    editor: &Editor,
+    file: &Path,
+    view: View,
+    size: [u32; 2],
+    showing: &Showing,
+) -> Result<Image, Failure> {
     let mut session = Session::new(editor.clone(), Some(file.to_owned()));
-    session.viewport.view(shot.view);
-    drawn(&mut session, shot.size, showing)
+    session.viewport.view(view);
+    drawn(&mut session, size, showing)
 }
 
 /// Layout settles within as many frames.

@@ -1,0 +1,253 @@
+//! `render`: pictures of a pose, still or moving.
+
+use std::path::PathBuf;
+
+use clap::builder::RangedU64ValueParser;
+use clap::{Args, ValueEnum};
+use render::{Look, Pass, Style};
+use rig::{Projection, View};
+
+use crate::failure::Failure;
+use crate::load::{self, Kind};
+use crate::picture::{
+    Darkroom, Facts, Format, Naming, Order, Posed, Shot, Viewpoint, Work, title_of, turntable, write_png,
+};
+use crate::window::{Showing, ui_picture};
+
+/// As many frames a turntable has at most.
+const MOST_FRAMES: u64 = 10_000;
+
+/// What `render` is told.
+#[derive(Args, Debug)]
+pub struct RenderArguments {
+    /// The pose, script or figure file.
+    file: PathBuf,
+    /// What to write: .png, .webp, .gif or .mp4; several frames as PNG need a folder/ or frame-%04d.png, several passes
+    /// {pass}.
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+    /// Another figure, *.figure.ron.
+    #[arg(long)]
+    figure: Option<PathBuf>,
+    /// Pixels; stills may be larger than the graphics adapter's limit.
+    #[arg(long, default_value = "1280x800", value_parser = super::size, value_name = "WxH")]
+    size: [u32; 2],
+    /// What each pixel says; several with commas between them.
+    #[arg(long, default_value = "color", value_delimiter = ',')]
+    pass: Vec<PassName>,
+    #[command(flatten)]
+    viewpoint: ViewArguments,
+    /// What the figure is made of and drawn with.
+    #[arg(long = "look", default_value = "studio", value_name = "LOOK")]
+    style: StyleName,
+    #[command(flatten)]
+    look: LookArguments,
+    /// Turns the view once around the figure in so many frames.
+    #[arg(long, value_name = "FRAMES", value_parser = RangedU64ValueParser::<u64>::new().range(1..=MOST_FRAMES))]
+    turntable: Option<u64>,
+    /// Frames a second; a GIF can hold at most 50.
+    #[arg(long, default_value_t = 24, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=120))]
+    fps: u32,
+    /// For clips, which don't exist yet.
+    #[arg(long, value_name = "A..B", hide = true)]
+    frames: Option<String>,
+    /// Writes the keypoints as well: the JSON of OpenPose, BODY_25 and hands, in pixels and in metres.
+    #[arg(long, value_name = "JSON")]
+    keypoints: Option<PathBuf>,
+    /// Draws the whole window with its panels.
+    #[arg(long, conflicts_with_all = ["turntable", "keypoints"])]
+    ui: bool,
+    #[command(flatten)]
+    showing: Showing,
+}
+
+/// From where.
+#[derive(Args, Debug)]
+struct ViewArguments {
+    /// From where: front, back, left, right, top, bottom or three-quarter.
+    #[arg(long, default_value = "three-quarter")]
+    view: View,
+    /// About the vertical in place of the view's: 0 before the figure, 90 at its left.
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = finite)]
+    yaw: Option<f32>,
+    /// Above the horizon in place of the view's, -90 to 90.
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = finite)]
+    pitch: Option<f32>,
+    /// Times nearer than where the whole figure is just inside.
+    #[arg(long, default_value = "1", value_name = "TIMES", value_parser = zoom)]
+    zoom: f32,
+    /// Without perspective.
+    #[arg(long)]
+    orthographic: bool,
+}
+
+impl ViewArguments {
+    fn viewpoint(&self) -> Viewpoint {
+        let projection = if self.orthographic { Projection::Orthographic } else { Projection::Perspective };
+        Viewpoint { view: self.view, yaw_deg: self.yaw, pitch_deg: self.pitch, zoom: self.zoom, projection }
+    }
+}
+
+/// How the colour picture looks.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct LookArguments {
+    /// In joint planes, as on a wooden lay figure.
+    #[arg(long)]
+    wood: bool,
+    /// Leaves the background clear.
+    #[arg(long)]
+    transparent: bool,
+    /// What is on the ground: the grid and the shadow, the shadow alone, or nothing.
+    #[arg(long, default_value = "grid")]
+    ground: Ground,
+    /// Dark or light surroundings.
+    #[arg(long, default_value = "dark")]
+    background: Background,
+    /// Draws larger along each edge and averages: smoother, slower.
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4))]
+    supersampling: u32,
+}
+
+impl LookArguments {
+    /// As told, in a style.
+    pub fn look(self, style: Style) -> Look {
+        Look {
+            style,
+            joint_planes: self.wood,
+            transparent: self.transparent,
+            grid: self.ground == Ground::Grid,
+            ground_shadow: self.ground != Ground::None,
+            supersampling: self.supersampling,
+            ..Look::default()
+        }
+        .in_surroundings(self.background == Background::Light)
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum, Debug)]
+enum Ground {
+    Grid,
+    Shadow,
+    None,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum, Debug)]
+enum Background {
+    Dark,
+    Light,
+}
+
+#[derive(Clone, Copy, ValueEnum, Debug)]
+enum PassName {
+    Color,
+    Depth,
+    Normal,
+    Silhouette,
+    Parts,
+    Openpose,
+}
+
+impl From<PassName> for Pass {
+    fn from(name: PassName) -> Pass {
+        match name {
+            PassName::Color => Pass::Color,
+            PassName::Depth => Pass::Depth,
+            PassName::Normal => Pass::Normal,
+            PassName::Silhouette => Pass::Silhouette,
+            PassName::Parts => Pass::Parts,
+            PassName::Openpose => Pass::OpenPose,
+        }
+    }
+}
+
+/// The word of a look.
+#[derive(Clone, Copy, ValueEnum, Debug)]
+pub enum StyleName {
+    /// The skin's own colours under studio lights.
+    Studio,
+    /// Sculptor's clay.
+    Clay,
+    /// Wax in a light that goes with the camera.
+    Matcap,
+    /// Flat tones.
+    Flat,
+    /// A drawing with a pen.
+    Line,
+}
+
+impl From<StyleName> for Style {
+    fn from(name: StyleName) -> Style {
+        match name {
+            StyleName::Studio => Style::Studio,
+            StyleName::Clay => Style::Clay,
+            StyleName::Matcap => Style::Matcap,
+            StyleName::Flat => Style::Flat,
+            StyleName::Line => Style::Line,
+        }
+    }
+}
+
+fn finite(text: &str) -> Result<f32, String> {
+    text.parse().ok().filter(|v: &f32| v.is_finite()).ok_or_else(|| "expected a number of degrees".to_owned())
+}
+
+fn zoom(text: &str) -> Result<f32, String> {
+    let factor = text.parse().ok().filter(|v| (0.05..=50.0).contains(v));
+    factor.ok_or_else(|| "expected a factor from 0.05 to 50".to_owned())
+}
+
+/// Makes the pictures.
+pub fn render(told: &RenderArguments) -> Result<(), Failure> {
+    if told.frames.is_some() {
+        let message =
+            "--frames is for clips, which Posewright can't play yet; --turntable FRAMES goes around a pose";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let editor = load::editor(&load::figure(told.figure.as_deref())?, &told.file)?;
+    let viewpoint = told.viewpoint.viewpoint();
+    if told.ui {
+        return window(told, &editor, viewpoint.view);
+    }
+    let posed = Posed::of(&editor);
+    let look = told.look.look(told.style.into());
+    let aspect = Shot::new(told.size).aspect();
+    let first = viewpoint.camera(posed.bounds(), aspect);
+    let cameras = match told.turntable {
+        Some(frames) => {
+            let frames = usize::try_from(frames).unwrap_or(1);
+            turntable(first, posed.bounds(), aspect, frames, viewpoint.zoom)
+        }
+        None => vec![first],
+    };
+    let order = Order {
+        title: title(told, &posed)?,
+        posed,
+        cameras,
+        size: told.size,
+        passes: told.pass.iter().map(|pass| Pass::from(*pass)).collect(),
+        look,
+        naming: Naming::of(&told.output)?,
+        fps: told.fps,
+        keypoints: told.keypoints.as_deref().map(Naming::beside),
+    };
+    order.check()?;
+    order.carry_out(&mut Darkroom::open()?, &Work::on_terminal())
+}
+
+/// The pose's name; a figure file shows the figure at rest.
+fn title(told: &RenderArguments, posed: &Posed) -> Result<String, Failure> {
+    Ok(match Kind::of(&told.file)? {
+        Kind::Figure => format!("{} at rest", posed.figure.name),
+        _ => title_of(&told.file),
+    })
+}
+
+/// A picture of the whole window.
+fn window(told: &RenderArguments, editor: &edit::Editor, view: View) -> Result<(), Failure> {
+    if Naming::of(&told.output)?.format != Format::Png {
+        return Err(Failure::Usage("a picture of the window is a .png".to_owned()));
+    }
+    let image = ui_picture(editor, &told.file, view, told.size, &told.showing)?;
+    let facts = Facts::new(&title_of(&told.file), &editor.figure().name);
+    write_png(&image, &facts, &told.output)
+}
