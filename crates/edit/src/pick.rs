@@ -1,7 +1,7 @@
 //! Picking: what part of the posed skin a ray meets.
 
 use glam::{DVec3, Vec3};
-use rig::{Bone, Bounds, Frames, Mesh, Palette, Ray, skin_position};
+use rig::{Bone, Bounds, Frames, Mesh, Palette, Ray, SkinBounds, bone_of_place, skin_position};
 
 /// Triangles in one chunk: enough that a box test is worth it, few enough that a hit chunk is skinned quickly.
 const CHUNK: usize = 128;
@@ -16,8 +16,10 @@ pub struct SkinPicker {
 struct Chunk {
     /// First numbers of the triangles in the mesh's indices.
     triangles: Vec<u32>,
-    /// Per bone that moves any of its vertices: the box of those vertices at rest.
-    boxes: Vec<(Bone, Bounds)>,
+    /// The bones that move any of its vertices.
+    bones: Vec<Bone>,
+    /// What holds its vertices in any pose.
+    bounds: SkinBounds,
 }
 
 /// Where a ray meets the skin.
@@ -145,39 +147,32 @@ fn middle(mesh: &Mesh, at: u32) -> Vec3 {
 
 impl Chunk {
     fn new(mesh: &Mesh, triangles: &[u32]) -> Chunk {
-        let mut boxes: Vec<(Bone, Bounds)> = Vec::new();
-        for vertex in triangles.iter().flat_map(|&at| corners(mesh, at as usize)) {
-            let position = Vec3::from_array(mesh.positions[vertex]);
-            for (joint, weight) in mesh.joints[vertex].into_iter().zip(mesh.weights[vertex]) {
-                let bone = Bone::ALL[usize::from(joint)];
-                match boxes.iter_mut().find(|(b, _)| *b == bone) {
-                    _ if weight == 0 => {}
-                    Some((_, bounds)) => *bounds = bounds.with(position),
-                    None => boxes.push((bone, Bounds::EMPTY.with(position))),
-                }
-            }
-        }
+        let mut vertices: Vec<usize> = triangles.iter().flat_map(|&at| corners(mesh, at as usize)).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let influences = vertices.iter().flat_map(|&v| mesh.joints[v].into_iter().zip(mesh.weights[v]));
+        let used = influences.filter(|(_, weight)| *weight > 0);
+        let mut bones: Vec<Bone> = used.map(|(place, _)| bone_of_place(usize::from(place))).collect();
+        bones.sort_unstable();
+        bones.dedup();
         let mut triangles = triangles.to_vec();
         triangles.sort_unstable();
-        Chunk { triangles, boxes }
+        Chunk { triangles, bones, bounds: SkinBounds::of(mesh, vertices.iter().copied()) }
     }
 
-    /// Whether the ray may meet the chunk nearer than a limit: a posed vertex lies between where its bones would take
-    /// it, so the box around all boxes as posed holds the chunk.
+    /// Whether the ray may meet the chunk nearer than a limit.
     fn meets(&self, palette: &Palette, ray: Ray, limit: f32) -> bool {
-        let posed = self.boxes.iter().flat_map(|(bone, b)| b.corners().map(|c| palette.point(*bone, c)));
-        enters(Bounds::of(posed), ray).is_some_and(|distance| distance <= limit)
+        enters(self.bounds.posed(palette), ray).is_some_and(|distance| distance <= limit)
     }
 
     /// Whether any of its skin may be moved most by a bone that counts.
     fn has(&self, counts: impl Fn(Bone) -> bool) -> bool {
-        self.boxes.iter().any(|(bone, _)| counts(*bone))
+        self.bones.iter().any(|bone| counts(*bone))
     }
 
     /// No more than the distance from a point to the posed chunk, metres.
     fn distance(&self, palette: &Palette, point: Vec3) -> f32 {
-        let posed = self.boxes.iter().flat_map(|(bone, b)| b.corners().map(|c| palette.point(*bone, c)));
-        let bounds = Bounds::of(posed);
+        let bounds = self.bounds.posed(palette);
         point.distance(point.max(bounds.min).min(bounds.max))
     }
 }
@@ -229,7 +224,7 @@ fn strongest(mesh: &Mesh, at: usize, shares: [f32; 3]) -> Bone {
     let mut pull = [0.0f32; Bone::COUNT];
     for (vertex, share) in corners(mesh, at).into_iter().zip(shares) {
         for (joint, weight) in mesh.joints[vertex].into_iter().zip(mesh.weights[vertex]) {
-            pull[usize::from(joint)] += share * f32::from(weight);
+            pull[bone_of_place(usize::from(joint)).index()] += share * f32::from(weight);
         }
     }
     Bone::ALL[(0..Bone::COUNT).max_by(|&a, &b| pull[a].total_cmp(&pull[b])).unwrap_or(0)]

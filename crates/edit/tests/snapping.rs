@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use edit::{At, By, Command, Editor, Hold, NoFiles, Request, SkinPicker, Snap, Surfaces, nearest_space};
 use glam::{DVec3, Vec3};
-use rig::{Articulator, Bone, Dof, Limb, Palette, Ray, Space, parse_pose, skin_positions};
+use rig::{Articulator, Bone, Dof, Limb, Palette, Ray, Space, bone_of_place, parse_pose, skin_positions};
 
 const READY: &str = r#"(version: 1, hips: (0.0, 0.91, 0.0), joints: {
     "leftUpperArm": (flexion: 35.0, abduction: -50.0), "leftLowerArm": (flexion: 80.0, twist: -70.0),
@@ -87,7 +87,7 @@ impl Scene {
         let skin = skin_positions(mesh, &palette);
         let of = |vertex: u32| {
             let (joints, weights) = (mesh.joints[vertex as usize], mesh.weights[vertex as usize]);
-            Bone::ALL[usize::from(joints[(0..4).max_by_key(|&i| weights[i]).unwrap()])]
+            bone_of_place(usize::from(joints[(0..4).max_by_key(|&i| weights[i]).unwrap()]))
         };
         let mut nearest = (f64::INFINITY, 1.0);
         for triangle in mesh.indices.chunks_exact(3).filter(|t| t.iter().all(|&v| counts(of(v)))) {

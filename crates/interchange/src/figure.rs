@@ -13,7 +13,7 @@ use glam::DVec3;
 use kin::Cone;
 use rig::{
     Angles, Articulation, Articulator, Body, Bone, Dof, Figure, Handshape, Joint, Limb, LimbRigs, Mesh,
-    MorphTargets, Part, Side, Skeleton,
+    MorphTargets, Part, Side, Skeleton, spread_twist,
 };
 
 use crate::{Spot, glb, urdf};
@@ -407,11 +407,14 @@ impl Reader<'_> {
         let bytes = fetch(name).map_err(|e| self.fault(&["skin"], format!("\"{name}\": {e}")))?;
         let asked = body.targets();
         let target = |name: &str| wanted == Wanted::Targets || asked.iter().any(|(n, _)| *n == name);
-        let (mesh, targets) = glb::read_with_targets(&bytes, skeleton, &target)
+        let (mut mesh, targets) = glb::read_with_targets(&bytes, skeleton, &target)
             .map_err(|e| FigureError::new(name, Spot::default(), e.to_string()))?;
         match mesh.fault() {
             Some(fault) => Err(FigureError::new(name, Spot::default(), fault)),
-            None => Ok((Some(mesh), targets)),
+            None => {
+                spread_twist(&mut mesh, skeleton);
+                Ok((Some(mesh), targets))
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
-//! The skin: a triangle mesh with up to four bones a vertex.
+//! The skin: a triangle mesh with up to four places of the palette a vertex.
 
-use crate::Bone;
+use crate::PLACES;
 
 /// A skinned triangle mesh at rest, in figure space, metres; triangles counter-clockwise from outside.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -11,7 +11,8 @@ pub struct Mesh {
     pub normals: Vec<[f32; 3]>,
     /// Linear RGB base colours, one a vertex.
     pub colors: Vec<[f32; 3]>,
-    /// Bones of each vertex, as places in [`Bone::ALL`].
+    /// Places of the palette that move each vertex: bones by [`Bone::index`](crate::Bone::index), and the twist places
+    /// that [`spread_twist`](crate::spread_twist) adds. [`bone_of_place`](crate::bone_of_place) tells the bone of either.
     pub joints: Vec<[u8; 4]>,
     /// Their weights as fractions of 65,535; each row sums to 65,535 exactly.
     pub weights: Vec<[u16; 4]>,
@@ -47,7 +48,7 @@ impl Mesh {
         if let Some(v) = self.positions.iter().position(|p| p.iter().any(|c| !c.is_finite())) {
             return Some(format!("vertex {v} has a position that is not finite"));
         }
-        if let Some(v) = self.joints.iter().position(|j| j.iter().any(|&b| b as usize >= Bone::COUNT)) {
+        if let Some(v) = self.joints.iter().position(|j| j.iter().any(|&b| usize::from(b) >= PLACES)) {
             return Some(format!("vertex {v} names a bone beyond the last"));
         }
         let sum = |w: &[u16; 4]| w.iter().map(|&w| u32::from(w)).sum::<u32>();

@@ -1,0 +1,137 @@
+//! Twist along limb segments: the places that it adds to the palette, and how a skin's weights are spread over them.
+//!
+//! A forearm turns by 160° between elbow and wrist, and its skin follows a little at a time. So each such segment
+//! has two places: its bone, and a twist place that differs by a turn about the segment alone. The skin between is
+//! shared by the two.
+
+use glam::DVec3;
+
+use crate::{Bone, Mesh, Skeleton};
+
+/// A segment with a twist place.
+#[derive(Debug)]
+pub(crate) struct Segment {
+    pub bone: Bone,
+    /// The bone at its far end.
+    pub next: Bone,
+    /// Its twist place in the palette.
+    pub place: usize,
+    /// If so, the bone's own turn holds at the near end, and the twist place, which holds at the far end, adds the next
+    /// bone's turn about the segment. Else the twist place holds at the near end and leaves out the bone's own twist.
+    pub twists_with_next: bool,
+}
+
+const fn segment(number: usize, bone: Bone, next: Bone) -> Segment {
+    let twists_with_next = matches!(bone, Bone::LeftLowerLeg | Bone::RightLowerLeg);
+    Segment { bone, next, place: Bone::COUNT + number, twists_with_next }
+}
+
+/// The segments, in the order of their twist places, which follow the bones.
+pub(crate) static SEGMENTS: [Segment; 8] = [
+    segment(0, Bone::LeftUpperArm, Bone::LeftLowerArm),
+    segment(1, Bone::LeftLowerArm, Bone::LeftHand),
+    segment(2, Bone::LeftUpperLeg, Bone::LeftLowerLeg),
+    segment(3, Bone::LeftLowerLeg, Bone::LeftFoot),
+    segment(4, Bone::RightUpperArm, Bone::RightLowerArm),
+    segment(5, Bone::RightLowerArm, Bone::RightHand),
+    segment(6, Bone::RightUpperLeg, Bone::RightLowerLeg),
+    segment(7, Bone::RightLowerLeg, Bone::RightFoot),
+];
+
+/// The number of places that skin can belong to: the bones, by [`Bone::index`], then the twist places.
+pub const PLACES: usize = Bone::COUNT + SEGMENTS.len();
+
+/// The bone that a place of the palette belongs to: a twist place to the bone of its segment, one beyond the last to
+/// the hips.
+pub fn bone_of_place(place: usize) -> Bone {
+    let twist = || SEGMENTS.iter().find(|segment| segment.place == place).map(|segment| segment.bone);
+    Bone::ALL.get(place).copied().or_else(twist).unwrap_or(Bone::Hips)
+}
+
+/// Spreads the twist of upper arms, forearms, thighs and shins along them: shares what a vertex's weights give to such a
+/// bone between the bone and its twist place, by how far along the segment the vertex lies.
+///
+/// For any figure, once, when its skin comes from a file; the mesh and the skeleton are at rest and of the same
+/// proportions. A segment whose ends the skeleton lacks, or that has no length, stays as it is, as does a twist place
+/// that is already there. Weights still sum to 65,535; of more than four places the weakest are dropped. What is mirrored
+/// in x stays so.
+pub fn spread_twist(mesh: &mut Mesh, skeleton: &Skeleton) {
+    let spans: Vec<Span> = SEGMENTS.iter().filter_map(|segment| Span::of(segment, skeleton)).collect();
+    let rows = mesh.positions.iter().zip(&mut mesh.joints).zip(&mut mesh.weights);
+    for ((position, joints), weights) in rows {
+        let twists = |place: &u8| spans.iter().any(|span| span.segment.bone.index() == usize::from(*place));
+        if joints.iter().any(twists) {
+            let at = DVec3::from(position.map(f64::from));
+            (*joints, *weights) = strongest(shared(&spans, at, *joints, *weights));
+        }
+    }
+}
+
+/// A segment at rest.
+struct Span {
+    segment: &'static Segment,
+    from: DVec3,
+    /// Gradient of the fraction along the segment, 1/m.
+    gradient: DVec3,
+}
+
+impl Span {
+    fn of(segment: &'static Segment, skeleton: &Skeleton) -> Option<Span> {
+        let ends = [segment.bone, segment.next];
+        if ends.iter().any(|bone| skeleton.joint(*bone).is_none()) {
+            return None;
+        }
+        let [from, to] = ends.map(|bone| skeleton.rest_position(bone));
+        let gradient = (to - from) / (to - from).length_squared();
+        gradient.is_finite().then_some(Span { segment, from, gradient })
+    }
+
+    /// The near and the far end's place, and the far one's share at a point. The share grows evenly, so that the skin
+    /// is nowhere sheared more than it must be; both ends keep a stretch of their own, where the joints bend.
+    fn share(&self, at: DVec3) -> (usize, usize, f64) {
+        let along = (at - self.from).dot(self.gradient);
+        let (bone, twist) = (self.segment.bone.index(), self.segment.place);
+        let ramp = |start: f64, end: f64| ((along - start) / (end - start)).clamp(0.0, 1.0);
+        if self.segment.twists_with_next {
+            (bone, twist, ramp(0.3, 0.95))
+        } else {
+            (twist, bone, ramp(0.1, 0.9))
+        }
+    }
+}
+
+/// The weights of a vertex with twist shared out, and how many there are; a place may be named more than once.
+fn shared(spans: &[Span], at: DVec3, joints: [u8; 4], weights: [u16; 4]) -> ([(u8, u32); 8], usize) {
+    let (mut all, mut count) = ([(0, 0); 8], 0);
+    for (joint, weight) in joints.into_iter().zip(weights.map(u32::from)) {
+        let span = spans.iter().find(|span| span.segment.bone.index() == usize::from(joint));
+        let parts = match span.map(|span| span.share(at)) {
+            Some((near, far, share)) => {
+                let beyond = (f64::from(weight) * share).round() as u32;
+                [(near as u8, weight - beyond), (far as u8, beyond)]
+            }
+            None => [(joint, weight), (joint, 0)],
+        };
+        for part in parts.into_iter().filter(|part| part.1 > 0) {
+            all[count] = part;
+            count += 1;
+        }
+    }
+    (all, count)
+}
+
+/// The four strongest places of a vertex, strongest first, with what the others had shared among them.
+fn strongest((mut all, count): ([(u8, u32); 8], usize)) -> ([u8; 4], [u16; 4]) {
+    let used = &mut all[..count];
+    used.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
+    let total: u32 = used.iter().map(|part| part.1).sum();
+    let kept: u32 = used.iter().take(4).map(|part| part.1).sum();
+    let (mut joints, mut weights) = ([0; 4], [0; 4]);
+    for (i, &(place, weight)) in used.iter().take(4).enumerate() {
+        joints[i] = place;
+        weights[i] = (u64::from(weight) * u64::from(total) / u64::from(kept.max(1))) as u16;
+    }
+    // Rounding down leaves at most three over.
+    weights[0] += (total - weights.iter().copied().map(u32::from).sum::<u32>()) as u16;
+    (joints, weights)
+}
