@@ -6,7 +6,7 @@ use rig::{Bone, Skeleton};
 use super::field::{Field, Part};
 use super::fit::figure_scale;
 use super::physique::Physique;
-use super::{foot, hand, head, limbs, torso};
+use super::{ear, foot, hand, head, limbs, torso};
 
 /// Every part of the left half, carriers before fingers and toes.
 pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
@@ -14,7 +14,7 @@ pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
     let mut parts: Vec<Part> = vec![
         torso::part(s, physique),
         head::part(s, physique),
-        head::ear(s),
+        ear::ear(s),
         limbs::leg(s, physique),
         foot::foot(s),
         limbs::arm(s, physique),
@@ -44,9 +44,20 @@ pub fn edge_length(skeleton: &Skeleton, p: DVec3, bend: f64) -> f64 {
     } else {
         0.0165
     };
-    // Lids and lips are the finest.
-    let features = near(Bone::LeftEye, 0.024)
-        || (p - at(Bone::LeftEye) - DVec3::new(-0.031, -0.063, 0.02)).length() < 0.036;
-    let (turn, least) = if features { (0.42, 0.0018) } else { (0.54, 0.0026) };
+    let (turn, least) = face_detail(p - at(Bone::LeftEye), scale).unwrap_or((0.54, 0.0026));
     (turn / bend.max(1.0)).clamp(least * scale, roomy * scale)
+}
+
+/// How much an edge may turn (radians) and how short it may be at lids, nose, lips and ear: a place from the eye.
+fn face_detail(p: DVec3, scale: f64) -> Option<(f64, f64)> {
+    let near = |x: f64, y: f64, z: f64, reach: f64| p.distance(DVec3::new(x, y, z) * scale) < reach * scale;
+    if near(0.0, 0.0, 0.010, 0.022) {
+        Some((0.40, 0.0011))
+    } else if near(-0.031, -0.063, 0.020, 0.031) || near(-0.020, -0.040, 0.028, 0.018) {
+        Some((0.42, 0.0014))
+    } else if near(0.042, -0.014, -0.094, 0.040) {
+        Some((0.48, 0.0015))
+    } else {
+        None
+    }
 }

@@ -21,6 +21,38 @@ impl<const N: usize> Curve<N> {
         Curve { at, rows, slopes }
     }
 
+    /// A curve whose bend changes without jumps, too (a natural spline); it may overshoot where rows jump.
+    pub fn flowing(knots: &[(f64, [f64; N])]) -> Curve<N> {
+        let mut curve = Curve::new(knots);
+        let n = curve.at.len();
+        // Slopes m with h1 m0 + 2 (h0 + h1) m1 + h0 m2 = 3 (h1 s0 + h0 s1), and no bend at both ends.
+        let h = |i: usize| curve.at[i + 1] - curve.at[i];
+        let secant = |i: usize, c: usize| (curve.rows[i + 1][c] - curve.rows[i][c]) / h(i);
+        let mut above = vec![0.5; n];
+        let mut right = vec![[0.0; N]; n];
+        right[0] = std::array::from_fn(|c| 1.5 * secant(0, c));
+        for i in 1..n {
+            let last = i == n - 1;
+            let (low, middle, high) =
+                if last { (1.0, 2.0, 0.0) } else { (h(i), 2.0 * (h(i - 1) + h(i)), h(i - 1)) };
+            let pivot = middle - low * above[i - 1];
+            let want = |c: usize| {
+                if last {
+                    3.0 * secant(i - 1, c)
+                } else {
+                    3.0 * (h(i) * secant(i - 1, c) + h(i - 1) * secant(i, c))
+                }
+            };
+            right[i] = std::array::from_fn(|c| (want(c) - low * right[i - 1][c]) / pivot);
+            above[i] = high / pivot;
+        }
+        for i in (0..n - 1).rev() {
+            right[i] = std::array::from_fn(|c| right[i][c] - above[i] * right[i + 1][c]);
+        }
+        curve.slopes = right;
+        curve
+    }
+
     /// The first and last parameter.
     pub fn ends(&self) -> (f64, f64) {
         (self.at[0], self.at[self.at.len() - 1])

@@ -14,6 +14,8 @@ pub enum Op {
     Add,
     /// Takes the solid away.
     Cut,
+    /// Raises the skin within the solid by so many metres at its core, fading to none at its border; below 0 lowers it.
+    Swell(f64),
 }
 
 /// One shape within a part.
@@ -133,10 +135,10 @@ impl Field {
             if blob.crease > 0.0 {
                 q.x = (p.x * p.x + blob.crease * blob.crease).sqrt();
             }
-            let shape = blob.shape.distance(q);
             d = match blob.op {
-                Op::Add => soft_min(d, shape, blob.blend),
-                Op::Cut => soft_max(d, -shape, blob.blend),
+                Op::Add => soft_min(d, blob.shape.distance(q), blob.blend),
+                Op::Cut => soft_max(d, -blob.shape.distance(q), blob.blend),
+                Op::Swell(height) => d - height * blob.shape.core(q),
             };
         }
         d

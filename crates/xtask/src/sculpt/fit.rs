@@ -3,11 +3,11 @@
 //! Shapes are written down once, in the places of the shipped mannequin. A [`Fit`] stretches them along a chain of
 //! joints, so that they follow the joints of another skeleton; across the chain they grow with the whole figure.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, DVec4};
 use rig::{Bone, Skeleton};
 
 use super::curve::Curve;
-use super::shape::{Loft, Section, Shape};
+use super::shape::{Loft, Section, Shape, Slit};
 
 /// Hips height in the proportions that the body is drawn in, metres.
 const DRAWN_HIPS: f64 = 0.94;
@@ -88,6 +88,40 @@ impl Fit {
         Shape::Cone { a: self.point(a), b: self.point(b), ra: ra * self.girth, rb: rb * self.girth }
     }
 
+    /// A tube along a smooth line through places with radii (x, y, z, radius). A line that ends on the middle plane
+    /// meets its mirror image without a kink.
+    pub fn strand(&self, knots: &[[f64; 4]]) -> Shape {
+        let row = |k: &[f64; 4]| DVec4::from(*k);
+        let mirrored = |v: DVec4| DVec4::new(-v.x, v.y, v.z, v.w);
+        let outer = |end: DVec4, next: DVec4| if end.x == 0.0 { mirrored(next) } else { 2.0 * end - next };
+        let Some((last, before)) = knots.split_last() else { return Shape::Strand(Vec::new()) };
+        let mut line: Vec<DVec4> = Vec::with_capacity(knots.len() + 2);
+        line.push(outer(row(&knots[0]), row(knots.get(1).unwrap_or(last))));
+        line.extend(knots.iter().map(row));
+        line.push(outer(row(last), row(before.last().unwrap_or(last))));
+        let mut beads = Vec::new();
+        for w in line.windows(4) {
+            for step in 0..STRAND_STEPS {
+                beads.push(through(w, f64::from(step) / f64::from(STRAND_STEPS)));
+            }
+        }
+        beads.push(row(last));
+        let bead = |v: DVec4| (self.point([v.x, v.y, v.z]), v.w.max(1e-5) * self.girth);
+        Shape::Strand(beads.into_iter().map(bead).collect())
+    }
+
+    /// A slit on a ball's front: rows of metres beside the centre, lower and upper edge; see [`Slit`].
+    pub fn slit(&self, at: [f64; 3], radius: f64, floor: f64, rows: &[(f64, [f64; 2])]) -> Shape {
+        let g = self.girth;
+        let rows: Vec<(f64, [f64; 2])> = rows.iter().map(|(x, e)| (x * g, e.map(|e| e * g))).collect();
+        Shape::Slit(Slit {
+            center: self.point(at),
+            radius: radius * g,
+            edges: Curve::new(&rows),
+            floor: floor * g,
+        })
+    }
+
     /// A rounded box along the axes of the world.
     pub fn slab(&self, at: [f64; 3], half: [f64; 3], round: f64) -> Shape {
         Shape::Slab {
@@ -96,6 +130,16 @@ impl Fit {
             half: DVec3::from(half) * self.girth,
             round: round * self.girth,
         }
+    }
+
+    /// As [`Fit::loft`] through sections whose bends flow on without jumps.
+    pub fn limb(&self, through: [f64; 3], u: DVec3, v: DVec3, cap: f64, knots: &[(f64, Section)]) -> Shape {
+        let Shape::Loft(mut loft) = self.loft(through, u, v, cap, knots) else {
+            return Shape::Strand(Vec::new());
+        };
+        let rows: Vec<(f64, Section)> = loft.sections.rows().map(|(t, row)| (t, *row)).collect();
+        loft.sections = Curve::flowing(&rows);
+        Shape::Loft(loft)
     }
 
     /// A tube: sections by drawn place along `axis` (through `through`), radii to +u, -u, +v, -v with u x v = axis.
@@ -127,6 +171,18 @@ impl Fit {
             cap: cap * self.girth,
         })
     }
+}
+
+/// Straight pieces between two places of a strand.
+const STRAND_STEPS: u32 = 4;
+
+/// The curve through the two inner ones of four rows.
+fn through(rows: &[DVec4], t: f64) -> DVec4 {
+    let (t2, t3) = (t * t, t * t * t);
+    0.5 * (rows[0] * (2.0 * t2 - t - t3)
+        + rows[1] * (2.0 - 5.0 * t2 + 3.0 * t3)
+        + rows[2] * (t + 4.0 * t2 - 3.0 * t3)
+        + rows[3] * (t3 - t2))
 }
 
 /// Columns: along `long`, as near to `up` as can be, and the third.

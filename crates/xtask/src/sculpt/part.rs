@@ -19,6 +19,13 @@ impl Part {
         self.blobs.push(Blob { op: Op::Cut, blend, crease: 0.0, shape });
     }
 
+    /// Raises the skin around the core of a solid by so many metres, or lowers it; see [`Op::Swell`].
+    pub fn swell(&mut self, height: f64, shape: Shape) {
+        if height != 0.0 {
+            self.blobs.push(Blob { op: Op::Swell(height), blend: 0.0, crease: 0.0, shape });
+        }
+    }
+
     /// Rounds the crease that the last shape makes with its mirror image.
     pub fn meeting(&mut self, crease: f64) {
         if let Some(last) = self.blobs.last_mut() {

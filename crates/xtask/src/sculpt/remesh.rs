@@ -39,6 +39,9 @@ impl<'a> Remesh<'a> {
 
     /// Works until the edges have their lengths, and gives the half mesh.
     pub fn finish(mut self, rounds: usize) -> Surface {
+        for _ in 0..2 {
+            self.split_long();
+        }
         for round in 0..rounds {
             for _ in 0..40 {
                 if self.collapse_short() == 0 {
@@ -115,6 +118,50 @@ impl<'a> Remesh<'a> {
         edges.sort_unstable();
         edges.dedup();
         edges
+    }
+
+    /// Halves the edges that are too long, where the surface is to be finer than the net; longest first, a triangle
+    /// takes part once.
+    fn split_long(&mut self) {
+        let mut long: Vec<(f64, u32, u32)> = self
+            .edges()
+            .into_iter()
+            .map(|(a, b)| (self.length(a, b) / self.wanted(a, b), a, b))
+            .filter(|e| e.0 > LONGEST)
+            .collect();
+        long.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)).then(x.2.cmp(&y.2)));
+        let mut used = vec![false; self.triangles.len()];
+        for (_, a, b) in long {
+            let beside = self.beside(a, b);
+            if beside.iter().all(|&t| !used.get(t as usize).copied().unwrap_or(true)) {
+                beside.iter().for_each(|&t| used[t as usize] = true);
+                self.split(a, b, &beside);
+            }
+        }
+    }
+
+    /// Puts a vertex into the middle of an edge.
+    fn split(&mut self, a: u32, b: u32, beside: &[u32]) {
+        let middle = 0.5 * (self.points[a as usize] + self.points[b as usize]);
+        let (p, normal) = self.field.settle(middle, 2);
+        let new = self.points.len() as u32;
+        self.points.push(p);
+        self.normals.push(normal);
+        self.sizes.push(self.wanted(a, b));
+        self.around.push(Vec::new());
+        for &t in beside {
+            let Some(whole) = self.triangles[t as usize] else { continue };
+            let with = |old: u32| whole.map(|v| if v == old { new } else { v });
+            let other = self.triangles.len() as u32;
+            self.triangles[t as usize] = Some(with(b));
+            self.triangles.push(Some(with(a)));
+            self.around[new as usize].extend([t, other]);
+            self.around[b as usize].retain(|&u| u != t);
+            self.around[b as usize].push(other);
+            if let Some(c) = whole.into_iter().find(|&v| v != a && v != b) {
+                self.around[c as usize].push(other);
+            }
+        }
     }
 
     /// One pass over the edges that are too short, shortest first; a vertex takes part once. Returns how many went.

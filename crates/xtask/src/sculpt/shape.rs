@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::blend::soft_max;
+use super::blend::{FAR, ease, soft_max};
 use super::curve::Curve;
 
 /// A closed box along the world axes.
@@ -58,6 +58,23 @@ pub enum Shape {
     Slab { center: DVec3, frame: DMat3, half: DVec3, round: f64 },
     /// A tube through sections.
     Loft(Loft),
+    /// Balls and the cones between neighbours: a tube along a bent line. Centres with radii, at least one.
+    Strand(Vec<(DVec3, f64)>),
+    /// What a ball's centre sees through a slit in its front (+Z), from `floor` metres on to a third over the radius.
+    Slit(Slit),
+}
+
+/// A slit on a ball, as between two lids.
+#[derive(Clone, Debug)]
+pub struct Slit {
+    /// The ball's centre.
+    pub center: DVec3,
+    /// The ball's radius, on which the slit is drawn.
+    pub radius: f64,
+    /// Lower and upper edge (metres above the centre) by metres beside it; they meet at both ends.
+    pub edges: Curve<2>,
+    /// Nothing nearer to the centre belongs to the solid, metres.
+    pub floor: f64,
 }
 
 impl Shape {
@@ -71,7 +88,24 @@ impl Shape {
                 q.max(DVec3::ZERO).length() + q.max_element().min(0.0) - round
             }
             Shape::Loft(loft) => loft.distance(p),
+            Shape::Strand(beads) => strand(p, beads),
+            Shape::Slit(slit) => slit.distance(p),
         }
+    }
+
+    /// 1 at the core of the solid, 0 from its surface on, smooth in between; the core is a ball's centre, a cone's line
+    /// or a strand's, along which it fades towards both ends. Other solids have none.
+    pub fn core(&self, p: DVec3) -> f64 {
+        let (r2, fade) = match self {
+            Shape::Ellipsoid { center, frame, radii } => {
+                ((frame.transpose() * (p - *center) / *radii).length_squared(), 1.0)
+            }
+            Shape::Cone { a, b, ra, rb } => (off_line(p, (*a, *ra), (*b, *rb)).0, 1.0),
+            Shape::Strand(beads) => strand_core(p, beads),
+            Shape::Slab { .. } | Shape::Loft(_) | Shape::Slit(_) => (1.0, 0.0),
+        };
+        let fall = (1.0 - r2).max(0.0);
+        fade * fall * fall * fall
     }
 
     /// A box around the solid.
@@ -89,6 +123,11 @@ impl Shape {
                 around(*center, DVec3::new(reach(0), reach(1), reach(2)))
             }
             Shape::Loft(loft) => loft.bounds(),
+            Shape::Strand(beads) => {
+                let each = beads.iter().map(|(at, r)| around(*at, DVec3::splat(*r)));
+                each.reduce(|a, b| a.union(&b)).unwrap_or(around(DVec3::ZERO, DVec3::ZERO))
+            }
+            Shape::Slit(slit) => around(slit.center, DVec3::splat(slit.radius * 1.4)),
         }
     }
 }
@@ -125,6 +164,55 @@ fn cone(p: DVec3, a: DVec3, b: DVec3, ra: f64, rb: f64) -> f64 {
         (x2 + y2).sqrt() / l2 - ra
     } else {
         ((x2 * a2 / l2).sqrt() + y * rr) / l2 - ra
+    }
+}
+
+/// Square of the distance to a line of changing radius, in that radius; and where along the line, 0 to 1.
+fn off_line(p: DVec3, (a, ra): (DVec3, f64), (b, rb): (DVec3, f64)) -> (f64, f64) {
+    let axis = b - a;
+    let t = ((p - a).dot(axis) / axis.length_squared().max(1e-18)).clamp(0.0, 1.0);
+    let r = ra + (rb - ra) * t;
+    ((p - a - axis * t).length_squared() / (r * r).max(1e-18), t)
+}
+
+/// The same for a strand, and how much of its height is left there: all in the middle, none at the ends.
+fn strand_core(p: DVec3, beads: &[(DVec3, f64)]) -> (f64, f64) {
+    let (mut least, mut along) = (1.0, 0.0);
+    for (i, w) in beads.windows(2).enumerate() {
+        let (r2, t) = off_line(p, w[0], w[1]);
+        if r2 < least {
+            (least, along) = (r2, (i as f64 + t) / (beads.len() - 1) as f64);
+        }
+    }
+    (least, ease(0.0, 0.4, along) * ease(1.0, 0.6, along))
+}
+
+/// Distance to the nearest of the cones between neighbours.
+fn strand(p: DVec3, beads: &[(DVec3, f64)]) -> f64 {
+    if let [(at, r)] = beads {
+        return p.distance(*at) - r;
+    }
+    beads.windows(2).map(|w| cone(p, w[0].0, w[1].0, w[0].1, w[1].1)).fold(FAR, f64::min)
+}
+
+impl Slit {
+    fn distance(&self, p: DVec3) -> f64 {
+        const STEP: f64 = 0.0003;
+        let d = p - self.center;
+        let far = d.length().max(1e-6);
+        let q = d * (self.radius / far);
+        let (low, high) = self.edges.ends();
+        let x = q.x.clamp(low, high);
+        let gap = |x: f64| {
+            let [below, above] = self.edges.sample(x);
+            (q.y - above).max(below - q.y)
+        };
+        let step = if x + STEP < high { STEP } else { -STEP };
+        let slant = (gap(x + step) - gap(x)) / STEP;
+        let side = gap(x) / (1.0 + slant * slant).sqrt();
+        let beyond = (q.x - x).abs();
+        let side = if beyond > 0.0 { (side.max(0.0).powi(2) + beyond * beyond).sqrt() } else { side };
+        (side * (far / self.radius)).max(self.floor - far).max(far - 1.35 * self.radius).max(-d.z)
     }
 }
 
