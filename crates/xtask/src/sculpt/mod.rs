@@ -25,6 +25,9 @@ mod preview;
 mod remesh;
 mod shape;
 #[cfg(test)]
+mod target_tests;
+mod targets;
+#[cfg(test)]
 mod tests;
 mod torso;
 mod views;
@@ -52,8 +55,12 @@ pub fn run(args: &[String]) -> anyhow::Result<()> {
         [] => {
             let mesh = mesh(&skeleton)?;
             println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
+            let targets = targets::targets(&mesh, &skeleton);
+            for (name, moved) in &targets {
+                println!("morph target {name} moves {} vertices", moved.len());
+            }
             let path = figures().join("mannequin.glb");
-            let bytes = interchange::glb::write(&mesh, &skeleton, "mannequin");
+            let bytes = interchange::glb::write_with_targets(&mesh, &targets, &skeleton, "mannequin");
             std::fs::write(&path, &bytes).with_context(|| format!("cannot write {}", path.display()))?;
             println!("wrote {}, {} bytes", path.display(), bytes.len());
             Ok(())
