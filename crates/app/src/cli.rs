@@ -1,6 +1,7 @@
 //! The command line: what is asked, done headless or in a window.
 
 mod pictures;
+mod sheet;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -12,6 +13,7 @@ use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text, write_atomic};
 use crate::failure::Failure;
 use crate::load::{self, Kind};
 use pictures::RenderArguments;
+use sheet::SheetArguments;
 
 /// Poses a skinned figure: forward and inverse gestures in any mix.
 #[derive(Parser, Debug)]
@@ -55,6 +57,8 @@ enum Task {
     },
     /// Draws a pose, or what a script makes of the figure: stills, turntables, passes, keypoints; needs no display.
     Render(Box<RenderArguments>),
+    /// Draws many poses, looks or figures side by side, with their names; needs no display.
+    Sheet(SheetArguments),
     /// Tells what a pose comes to.
     Inspect {
         /// The pose, script or figure file.
@@ -119,6 +123,7 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
             run(&script, on.as_deref(), figure.as_deref(), save.as_deref(), report.as_deref()).map_err(one)
         }
         Some(Task::Render(told)) => pictures::render(&told).map_err(one),
+        Some(Task::Sheet(told)) => sheet::sheet(&told).map_err(one),
         Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
     }

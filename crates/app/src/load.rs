@@ -8,6 +8,7 @@ use rig::{Figure, Pose, PosePatch};
 
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
+use crate::library::shipped;
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -69,10 +70,18 @@ pub fn figure(path: Option<&Path>) -> Result<Arc<Figure>, Failure> {
 /// # Errors
 /// A file at fault: where and why.
 pub fn patch(figure: &Figure, path: &Path) -> Result<PosePatch, Failure> {
-    let patch = rig::parse_pose(&read_text(path)?).map_err(|fault| at(path, &fault))?;
+    let patch = rig::parse_pose(&pose_text(path)?).map_err(|fault| at(path, &fault))?;
     rig::check_patch(figure, &patch)
         .map_err(|fault| Failure::Input(format!("{}:1:1: {fault}", path.display())))?;
     Ok(patch)
+}
+
+/// The text of a pose file, or of a pose that comes with the program: `library:NAME.pose.ron`.
+fn pose_text(path: &Path) -> Result<String, Failure> {
+    match path.to_str().and_then(shipped::by_path) {
+        Some(text) => text.map(str::to_owned).map_err(Failure::Input),
+        None => read_text(path),
+    }
 }
 
 /// The pose that a file makes of the figure at rest.

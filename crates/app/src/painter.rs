@@ -21,9 +21,15 @@ impl Painter {
     /// # Errors
     /// The figure's skin is at fault.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, figure: &Arc<Figure>) -> Result<Painter, DrawError> {
-        let mut renderer = egui_wgpu::Renderer::new(&gpu.device, format, RendererOptions::PREDICTABLE);
-        viewport::install(&mut renderer, gpu, format, figure)?;
-        Ok(Painter { gpu: gpu.clone(), renderer })
+        let mut painter = Painter::plain(gpu, format);
+        viewport::install(&mut painter.renderer, gpu, format, figure)?;
+        Ok(painter)
+    }
+
+    /// The same for what shows no figure.
+    pub fn plain(gpu: &Gpu, format: wgpu::TextureFormat) -> Painter {
+        let renderer = egui_wgpu::Renderer::new(&gpu.device, format, RendererOptions::PREDICTABLE);
+        Painter { gpu: gpu.clone(), renderer }
     }
 
     /// The device.
