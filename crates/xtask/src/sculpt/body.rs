@@ -44,7 +44,11 @@ pub fn edge_length(skeleton: &Skeleton, p: DVec3, bend: f64) -> f64 {
     } else {
         0.0165
     };
-    let (turn, least) = face_detail(p - at(Bone::LeftEye), scale).unwrap_or((0.54, 0.0026));
+    let (turn, least) = match face_detail(p - at(Bone::LeftEye), scale) {
+        Some(fine) => fine,
+        None if hand::near_nail(skeleton, p) => (0.45, 0.0013),
+        None => (0.54, 0.0026),
+    };
     (turn / bend.max(1.0)).clamp(least * scale, roomy * scale)
 }
 

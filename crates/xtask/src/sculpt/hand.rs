@@ -3,9 +3,11 @@
 use glam::DVec3;
 use rig::{Bone, Skeleton};
 
+use super::blend::ease;
+use super::curve::Curve;
 use super::field::{Part, Region};
 use super::fit::{Fit, figure_scale};
-use super::shape::Shape;
+use super::shape::{Loft, Section, Shape};
 
 /// Thumb to little finger: the three bones of each.
 pub const FINGERS: [[Bone; 3]; 5] = [
@@ -19,13 +21,40 @@ pub const FINGERS: [[Bone; 3]; 5] = [
 /// Last bone's length over the one before it.
 const TIP: [f64; 5] = [0.800, 0.677, 0.636, 0.648, 0.797];
 
-/// Radii at the three joints and the tip, metres.
-const RADII: [[f64; 4]; 5] = [
-    [0.0150, 0.0122, 0.0104, 0.0080],
-    [0.0088, 0.0083, 0.0075, 0.0064],
-    [0.0088, 0.0084, 0.0077, 0.0066],
-    [0.0083, 0.0079, 0.0072, 0.0062],
-    [0.0074, 0.0068, 0.0062, 0.0054],
+/// Half the width of each finger at its middle joint, metres.
+const WIDTH: [f64; 5] = [0.0110, 0.0090, 0.0091, 0.0086, 0.0077];
+
+/// Sections of a long finger: the bone (0 to 2), how far along it, half width, height to the back, to the palm side;
+/// in half widths of the middle joint. Joints are wide, pads lie between them.
+const FINGER: [(usize, f64, [f64; 3]); 13] = [
+    (0, -0.30, [0.92, 0.82, 1.10]),
+    (0, 0.00, [1.00, 0.94, 1.26]),
+    (0, 0.30, [0.98, 0.91, 1.24]),
+    (0, 0.58, [0.945, 0.84, 1.15]),
+    (0, 0.85, [0.94, 0.87, 0.99]),
+    (0, 1.00, [1.00, 0.93, 0.90]),
+    (1, 0.18, [0.965, 0.87, 0.94]),
+    (1, 0.50, [0.90, 0.77, 0.98]),
+    (1, 0.82, [0.87, 0.76, 0.87]),
+    (1, 1.00, [0.89, 0.78, 0.79]),
+    (2, 0.25, [0.85, 0.71, 0.85]),
+    (2, 0.55, [0.81, 0.63, 0.86]),
+    (2, 0.80, [0.70, 0.52, 0.74]),
+];
+
+/// Sections of the thumb, from within the ball of the thumb on.
+const THUMB: [(usize, f64, [f64; 3]); 11] = [
+    (0, 0.12, [0.80, 0.75, 1.00]),
+    (0, 0.50, [1.00, 0.88, 1.22]),
+    (0, 0.82, [1.04, 0.95, 1.17]),
+    (0, 1.00, [1.05, 1.02, 1.08]),
+    (1, 0.30, [0.96, 0.87, 1.06]),
+    (1, 0.70, [0.93, 0.84, 0.98]),
+    (1, 1.00, [1.00, 0.93, 0.90]),
+    (2, 0.22, [0.99, 0.85, 0.95]),
+    (2, 0.50, [0.98, 0.73, 0.98]),
+    (2, 0.70, [0.90, 0.63, 0.90]),
+    (2, 0.82, [0.80, 0.54, 0.76]),
 ];
 
 /// The drawn places from the wrist to the knuckles.
@@ -43,47 +72,77 @@ pub fn palm(skeleton: &Skeleton) -> Part {
     let mut palm = Part::new(Region::Palm, 0.014);
     let rows = [
         (0.692, [0.000, 0.001, 0.0185, 0.0195, 0.0275, 0.0250, 0.3]),
-        (0.712, [-0.001, 0.001, 0.0185, 0.0190, 0.0285, 0.0265, 0.35]),
-        (0.735, [-0.001, 0.000, 0.0175, 0.0185, 0.0310, 0.0320, 0.45]),
-        (0.758, [-0.001, -0.001, 0.0150, 0.0170, 0.0340, 0.0365, 0.55]),
-        (0.778, [-0.001, -0.002, 0.0125, 0.0150, 0.0350, 0.0380, 0.65]),
-        (0.791, [-0.001, -0.003, 0.0095, 0.0125, 0.0340, 0.0370, 0.7]),
-        (0.801, [-0.001, -0.003, 0.0050, 0.0095, 0.0320, 0.0350, 0.7]),
+        (0.712, [-0.001, 0.001, 0.0180, 0.0190, 0.0280, 0.0265, 0.35]),
+        (0.735, [-0.001, 0.000, 0.0165, 0.0175, 0.0305, 0.0320, 0.45]),
+        (0.758, [-0.001, -0.002, 0.0142, 0.0160, 0.0330, 0.0360, 0.55]),
+        (0.774, [-0.001, -0.003, 0.0122, 0.0142, 0.0355, 0.0370, 0.62]),
+        (0.787, [-0.001, -0.003, 0.0098, 0.0122, 0.0360, 0.0365, 0.66]),
     ];
-    palm.add(0.0, f.loft([0.704, 1.388, 0.0], DVec3::Y, DVec3::Z, 0.006, &rows));
-    // Ball of the thumb and its web, ball of the little finger, pads under the knuckles, the hollow.
+    palm.add(0.0, f.loft([0.704, 1.388, 0.0], DVec3::Y, DVec3::Z, 0.010, &rows));
+    pads(&f, &mut palm);
+    webs(&f, &mut palm);
+    back(skeleton, &f, &mut palm);
+    palm
+}
+
+/// Ball of the thumb, ball of the little finger, pads under the knuckles, the hollow.
+fn pads(f: &Fit, palm: &mut Part) {
     palm.add(
         0.014,
-        f.egg([0.738, 1.3760, 0.0230], [0.0300, 0.0150, 0.0150], [0.80, -0.30, 0.55], [0.0, 1.0, 0.0]),
+        f.egg([0.7400, 1.3740, 0.0240], [0.0300, 0.0150, 0.0145], [0.80, -0.28, 0.53], [0.0, 1.0, 0.0]),
     );
     palm.add(
-        0.020,
-        f.egg([0.756, 1.3790, 0.0315], [0.0210, 0.0080, 0.0100], [0.80, -0.10, 0.30], [0.0, 1.0, 0.0]),
-    );
-    palm.add(
-        0.014,
-        f.egg([0.740, 1.3760, -0.0230], [0.0320, 0.0120, 0.0135], [1.0, 0.0, -0.12], [0.0, 1.0, 0.0]),
-    );
-    palm.add(0.020, f.cone([0.784, 1.3810, 0.0230], 0.0080, [0.776, 1.3800, -0.0280], 0.0075));
-    palm.cut(
         0.012,
-        f.egg([0.760, 1.3635, -0.0010], [0.0220, 0.0085, 0.0130], [1.0, 0.0, 0.3], [0.0, 1.0, 0.0]),
+        f.egg([0.7400, 1.3755, -0.0235], [0.0330, 0.0120, 0.0125], [1.0, 0.0, -0.10], [0.0, 1.0, 0.0]),
     );
-    // Knuckles and the tendons that run to them.
+    // The skin between thumb and index finger.
+    palm.add(
+        0.016,
+        f.strand(&[
+            [0.7740, 1.3840, 0.0260, 0.0060],
+            [0.7660, 1.3790, 0.0370, 0.0050],
+            [0.7560, 1.3720, 0.0440, 0.0060],
+        ]),
+    );
+    for [x, z] in [[0.7830, 0.0145], [0.7815, -0.0055], [0.7750, -0.0235]] {
+        palm.swell(0.0016, f.ball([x, 1.3730, z], [0.0130, 0.0110, 0.0110]));
+    }
+    palm.swell(
+        -0.0052,
+        f.egg([0.7570, 1.3690, -0.0015], [0.0280, 0.0180, 0.0175], [1.0, 0.0, 0.25], [0.0, 1.0, 0.0]),
+    );
+}
+
+/// The skin between the long fingers: on the palm's side half way to their middle joints, sloping up to the knuckles.
+fn webs(f: &Fit, palm: &mut Part) {
+    for (x, y, z) in [(0.8020, 1.3850, 0.0145), (0.8000, 1.3850, -0.0055), (0.7925, 1.3825, -0.0235)] {
+        palm.add(0.006, f.cone([x - 0.0230, y + 0.0010, z], 0.0094, [x - 0.0052, y + 0.0000, z], 0.0050));
+    }
+}
+
+/// Knuckles, the valleys between them, tendons.
+fn back(skeleton: &Skeleton, f: &Fit, palm: &mut Part) {
+    let g = f.girth();
+    let wrist = skeleton.rest_position(Bone::LeftHand);
     for finger in &FINGERS[1..] {
         let at = skeleton.rest_position(finger[0]);
-        let g = f.girth();
-        let up = DVec3::new(-0.001, 0.0010, 0.0) * g;
-        let radii = DVec3::new(0.0095, 0.0082, 0.0080) * g;
-        palm.add(0.008, Shape::Ellipsoid { center: at + up, frame: glam::DMat3::IDENTITY, radii });
-        let wrist = skeleton.rest_position(Bone::LeftHand);
-        let start = wrist.lerp(at, 0.45) + DVec3::Y * 0.0120 * g;
-        palm.add(
-            0.008,
-            Shape::Cone { a: start, b: at + DVec3::Y * 0.0055 * g, ra: 0.003 * g, rb: 0.0035 * g },
-        );
+        let top = at + DVec3::new(-0.0010, 0.0105, 0.0) * g;
+        let ball = |center: DVec3, radii: DVec3| Shape::Ellipsoid {
+            center,
+            frame: glam::DMat3::IDENTITY,
+            radii: radii * g,
+        };
+        palm.swell(0.0030 * g, ball(top, DVec3::new(0.0135, 0.0120, 0.0095)));
+        let start = wrist.lerp(at, 0.48) + DVec3::Y * 0.0150 * g;
+        let end = at + DVec3::new(-0.012, 0.0115, 0.0) * g;
+        palm.swell(0.0009 * g, Shape::Cone { a: start, b: end, ra: 0.0055 * g, rb: 0.0060 * g });
     }
-    palm
+    for pair in FINGERS[1..].windows(2) {
+        let [one, other] = [0, 1].map(|i| skeleton.rest_position(pair[i][0]));
+        let between = one.lerp(other, 0.5) + DVec3::new(-0.002, 0.0100, 0.0) * g;
+        let radii = DVec3::new(0.0150, 0.0100, 0.0060) * g;
+        palm.swell(-0.0016 * g, Shape::Ellipsoid { center: between, frame: glam::DMat3::IDENTITY, radii });
+    }
 }
 
 /// Where the skin of a finger ends, figure space.
@@ -92,74 +151,126 @@ pub fn fingertip(skeleton: &Skeleton, finger: usize) -> DVec3 {
     last + (last - middle) * TIP[finger]
 }
 
-/// The side of the nail, square to the last bone: up for the fingers, for the thumb across its own plane.
+/// The side of the nail, square to the last bone: up for the fingers; for the thumb opposite to where it bends, turned
+/// a little up.
 pub fn nail_side(finger: usize, along: DVec3) -> DVec3 {
-    let side = if finger == 0 { DVec3::new(0.35, 0.75, -0.55) } else { DVec3::Y };
+    let side = if finger == 0 { DVec3::new(-0.349, 0.606, 0.723) } else { DVec3::Y };
     (side - along * side.dot(along)).normalize_or(DVec3::Y)
+}
+
+/// A finger's bones as one straight line from its base, with the side of its nail.
+struct Line {
+    base: DVec3,
+    along: DVec3,
+    up: DVec3,
+    /// Where each bone begins and the tip, metres from the base.
+    stops: [f64; 4],
+    /// Half the width at the middle joint.
+    width: f64,
+}
+
+impl Line {
+    fn new(skeleton: &Skeleton, number: usize) -> Line {
+        let [a, b, c] = FINGERS[number].map(|bone| skeleton.rest_position(bone));
+        let tip = fingertip(skeleton, number);
+        let along = (tip - a).normalize_or(DVec3::X);
+        let stops = [a, b, c, tip].map(|p| (p - a).dot(along));
+        let width = WIDTH[number] * figure_scale(skeleton);
+        Line { base: a, along, up: nail_side(number, along), stops, width }
+    }
+
+    /// Metres from the base at a part of a bone.
+    fn at(&self, bone: usize, part: f64) -> f64 {
+        self.stops[bone] + (self.stops[bone + 1] - self.stops[bone]) * part
+    }
+
+    /// A place: metres along, then half widths across and to the nail's side.
+    fn place(&self, along: f64, across: f64, up: f64) -> DVec3 {
+        let side = self.up.cross(self.along);
+        self.base + self.along * along + (side * across + self.up * up) * self.width
+    }
+
+    /// Columns across, to the nail's side, along.
+    fn frame(&self) -> glam::DMat3 {
+        glam::DMat3::from_cols(self.up.cross(self.along), self.up, self.along)
+    }
 }
 
 /// One finger from its knuckle to its tip.
 pub fn finger(skeleton: &Skeleton, number: usize) -> Part {
-    let bones = FINGERS[number];
-    let [a, b, c] = bones.map(|bone| skeleton.rest_position(bone));
-    let g = figure_scale(skeleton);
-    let [ra, rb, rc, rt] = RADII[number].map(|r| r * g);
-    let tip = fingertip(skeleton, number);
     let thumb = number == 0;
-    let along = (tip - c).normalize_or(DVec3::X);
-    let up = nail_side(number, along);
-    let mut part = Part::new(Region::Finger(number as u8), if thumb { 0.014 } else { 0.005 });
-    let start = if thumb { a } else { a + (a - b).normalize_or(-DVec3::X) * 0.006 * g };
-    part.add(0.0, Shape::Cone { a: start, b, ra, rb: rb * 0.97 });
-    part.add(0.004 * g, Shape::Cone { a: b, b: c, ra: rb * 0.97, rb: rc * 0.97 });
-    let end = tip - along * rt;
-    part.add(0.004 * g, Shape::Cone { a: c, b: end, ra: rc * 0.95, rb: rt });
-    // Joints a little wider, pads on the palm side, a flat place for the nail.
-    let (pad, frame) = (rb * 1.02, glam::DMat3::from_cols(along, up, along.cross(up)));
+    let g = figure_scale(skeleton);
+    let line = Line::new(skeleton, number);
+    let w = line.width;
+    let mut part = Part::new(Region::Finger(number as u8), if thumb { 0.014 } else { 0.006 });
+    let table: &[(usize, f64, [f64; 3])] = if thumb { &THUMB } else { &FINGER };
+    let rows: Vec<(f64, Section)> = table
+        .iter()
+        .map(|&(bone, t, [wide, back, front])| {
+            (line.at(bone, t), [0.0, 0.0, wide * w, wide * w, back * w, front * w, 0.12])
+        })
+        .collect();
     part.add(
-        0.005 * g,
-        Shape::Ellipsoid { center: b + up * rb * 0.04, frame, radii: DVec3::new(pad * 1.15, pad, pad) },
+        0.0,
+        Shape::Loft(Loft {
+            origin: line.base,
+            frame: line.frame(),
+            sections: Curve::new(&rows),
+            cap: 0.5 * w,
+        }),
     );
+    // The finger's end, with its pad.
+    let last = line.stops[3] - line.stops[2];
+    let (reach, broad) = if thumb { (0.36, 0.86) } else { (0.40, 0.76) };
     part.add(
-        0.004 * g,
-        Shape::Ellipsoid { center: c, frame, radii: DVec3::new(rc * 1.2, rc * 0.99, rc * 1.01) },
-    );
-    let mid = |p: DVec3, q: DVec3, r: f64| p.lerp(q, 0.48) - up * r * 0.22;
-    part.add(
-        0.005 * g,
+        0.4 * w,
         Shape::Ellipsoid {
-            center: mid(b, c, rb),
-            frame,
-            radii: DVec3::new((c - b).length() * 0.38, rb * 0.80, rb * 0.90),
+            center: line.place(line.stops[3] - reach * last, 0.0, -0.10),
+            frame: line.frame(),
+            radii: DVec3::new(broad * w, 0.66 * w, reach * last),
         },
     );
-    if !thumb {
-        part.add(
-            0.005 * g,
-            Shape::Ellipsoid {
-                center: a.lerp(b, 0.62) - up * ra * 0.26,
-                frame,
-                radii: DVec3::new((b - a).length() * 0.28, ra * 0.84, ra * 0.94),
-            },
-        );
-    }
-    part.add(
-        0.005 * g,
-        Shape::Ellipsoid {
-            center: c.lerp(tip, 0.55) - up * rt * 0.22,
-            frame,
-            radii: DVec3::new((tip - c).length() * 0.44, rt * 0.98, rt * 1.12),
-        },
-    );
-    let nail = c.lerp(tip, 0.66) + up * (rt * 1.0 + 0.0072 * g);
-    part.cut(
-        0.003 * g,
-        Shape::Slab {
-            center: nail,
-            frame,
-            half: DVec3::new(0.0075, 0.0075, 0.0052) * g * (rt / (0.0064 * g)),
-            round: 0.0025 * g,
-        },
-    );
+    nail(&line, thumb, g, &mut part);
     part
+}
+
+/// Half the width and the height of a nail's outline, in half widths of the finger.
+fn nail_size(thumb: bool) -> (f64, f64) {
+    if thumb { (0.68, 0.62) } else { (0.58, 0.56) }
+}
+
+/// The groove around the nail.
+fn nail(line: &Line, thumb: bool, g: f64, part: &mut Part) {
+    let (wide, high) = nail_size(thumb);
+    let outline = [(0.97, -0.94, 0.62), (0.84, -1.00, 0.80), (0.66, -1.00, 0.90), (0.52, -0.86, 1.02)];
+    let root = [(0.455, -0.45, 1.18), (0.44, 0.0, 1.24), (0.455, 0.45, 1.18)];
+    let back = outline.iter().rev().map(|(t, across, up)| (*t, -across, *up));
+    let edge = outline.iter().copied().chain(root).chain(back);
+    let bead =
+        |(t, across, up): (f64, f64, f64)| (line.place(line.at(2, t), across * wide, up * high), 0.0004 * g);
+    part.cut(0.0022 * g, Shape::Strand(edge.map(bead).collect()));
+}
+
+/// How much a place belongs to a finger's nail, 0 to 1.
+pub fn nail_share(skeleton: &Skeleton, finger: usize, p: DVec3) -> f64 {
+    let line = Line::new(skeleton, finger);
+    let d = p - line.base;
+    let t = (d.dot(line.along) - line.stops[2]) / (line.stops[3] - line.stops[2]);
+    let (wide, _) = nail_size(finger == 0);
+    let across = d.dot(line.frame().x_axis).abs() / (line.width * wide);
+    let root = 0.46 + 0.12 * across * across * across * across;
+    let back = d.dot(line.up) / line.width;
+    ease(1.05, 0.88, across) * ease(root - 0.02, root + 0.03, t) * ease(0.15, 0.35, back)
+}
+
+/// Whether a place is on the back of a finger's end, where the skin must be fine enough for a nail.
+pub fn near_nail(skeleton: &Skeleton, p: DVec3) -> bool {
+    let g = figure_scale(skeleton);
+    (0..5).any(|finger| {
+        let last = skeleton.rest_position(FINGERS[finger][2]);
+        let tip = fingertip(skeleton, finger);
+        let up = nail_side(finger, (tip - last).normalize_or(DVec3::X));
+        let reach = if finger == 0 { 0.0120 } else { 0.0092 } * g;
+        p.distance(last.lerp(tip, 0.70) + up * (0.005 * g)) < reach && (p - last).dot(up) > 0.001 * g
+    })
 }

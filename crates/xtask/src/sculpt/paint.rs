@@ -6,7 +6,7 @@ use rig::Skeleton;
 use super::blend::{ease, mix};
 use super::field::Lookup;
 use super::fit::figure_scale;
-use super::hand::{FINGERS, fingertip, nail_side};
+use super::hand::{FINGERS, fingertip, nail_share};
 use super::head::{EYE, EYE_RADIUS, head_fit};
 
 /// Linear colours.
@@ -118,18 +118,5 @@ fn brow(p: DVec3) -> f64 {
 }
 
 fn nails(skeleton: &Skeleton, p: DVec3) -> f64 {
-    let g = figure_scale(skeleton);
-    (0..5)
-        .map(|finger| {
-            let last = skeleton.rest_position(FINGERS[finger][2]);
-            let tip = fingertip(skeleton, finger);
-            let along = (tip - last).normalize_or(DVec3::X);
-            let up = nail_side(finger, along);
-            let d = p - last.lerp(tip, 0.66);
-            let size = if finger == 0 { 1.3 } else { 1.0 } * g;
-            let (u, v) = (d.dot(along) / (0.0066 * size), d.dot(along.cross(up)) / (0.0048 * size));
-            let out = ease(0.0015 * g, 0.0030 * g, d.dot(up));
-            ease(1.1, 0.85, (u * u * u * u + v * v * v * v).sqrt().sqrt()) * out
-        })
-        .fold(0.0, f64::max)
+    (0..5).map(|finger| nail_share(skeleton, finger, p)).fold(0.0, f64::max)
 }

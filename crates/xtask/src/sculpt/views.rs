@@ -162,7 +162,7 @@ fn centers(skeleton: &Skeleton) -> [DVec3; 4] {
     [
         at(Bone::Hips, 0.0, -0.07, 0.0),
         at(Bone::Head, 0.0, 0.035, 0.02),
-        at(Bone::LeftHand, 0.076, -0.013, 0.02),
+        at(Bone::LeftHand, 0.080, -0.013, 0.022),
         at(Bone::LeftUpperArm, 0.0, -0.05, 0.0),
     ]
 }
@@ -214,7 +214,7 @@ fn sheets(skeleton: &Skeleton, only: Only) -> Vec<Sheet> {
             new("ear", REST, ear, 0.10, lateral),
         ],
         Only::Hand => {
-            vec![new("hand", REST, hand, 0.24, palm), new("fist", FIST, hand, 0.24, palm)]
+            vec![new("hand", REST, hand, 0.20, palm), new("fist", FIST, hand, 0.20, palm)]
         }
         Only::Foot => vec![new("foot", REST, foot, 0.32, sole)],
         Only::Torso => {
@@ -238,7 +238,7 @@ fn sheets(skeleton: &Skeleton, only: Only) -> Vec<Sheet> {
         new("body", REST, middle, 1.86, AROUND),
         new("head", REST, face, 0.32, EIGHT),
         new("features", REST, features, 0.13, close),
-        new("hand", REST, hand, 0.24, palm),
+        new("hand", REST, hand, 0.20, palm),
         new("foot", REST, foot, 0.32, sole),
         new("relaxed", RELAXED, middle, 1.86, AROUND),
         new(
@@ -250,7 +250,7 @@ fn sheets(skeleton: &Skeleton, only: Only) -> Vec<Sheet> {
         ),
         new("seated", SEATED, middle, 1.4, &[(0.0, 0.0), (40.0, 15.0), (90.0, 0.0), (150.0, 10.0)]),
         new("fists", FISTS, middle, 2.3, AROUND),
-        new("fist", FIST, hand, 0.24, palm),
+        new("fist", FIST, hand, 0.20, palm),
         new("seat", SEATED, seat, 0.5, &[(0.0, 0.0), (0.0, -50.0), (90.0, 0.0), (180.0, -20.0)]),
         new("elbow", SEATED, elbow, 0.5, &[(0.0, 0.0), (60.0, 10.0), (90.0, 0.0), (150.0, 10.0)]),
         new("jaw", JAW, face, 0.34, &[(0.0, 0.0), (35.0, 0.0), (90.0, 0.0), (150.0, 10.0)]),
