@@ -69,6 +69,27 @@ fn the_shipped_skin_survives_reading_and_writing() {
 }
 
 #[test]
+fn a_skin_with_spread_twist_is_written_with_bones_alone() {
+    let mesh = glb::read(SKIN, skeleton()).unwrap();
+    let mut spread = mesh.clone();
+    rig::spread_twist(&mut spread, skeleton());
+    assert!(spread.joints.iter().flatten().any(|place| usize::from(*place) >= Bone::COUNT));
+    let again = glb::read(&glb::write(&spread, skeleton(), "mannequin"), skeleton()).unwrap();
+    assert_eq!(again.fault(), None);
+    let shares = |mesh: &Mesh, v: usize| {
+        let rows = mesh.joints[v].into_iter().zip(mesh.weights[v]);
+        let mut rows: Vec<_> = rows.filter(|row| row.1 > 0).collect();
+        rows.sort_unstable();
+        rows
+    };
+    for v in 0..mesh.vertex_count() {
+        let before = shares(&mesh, v);
+        assert!(again.joints[v].iter().all(|joint| usize::from(*joint) < Bone::COUNT));
+        assert!(before.len() > 2 || shares(&again, v) == before, "vertex {v}");
+    }
+}
+
+#[test]
 fn a_small_skin_comes_back_as_it_was() {
     let read = glb::read(&glb::write(&small(), skeleton(), "small"), skeleton()).unwrap();
     assert_eq!(read.positions, small().positions);

@@ -1,48 +1,49 @@
 //! Boxes that hold a skin in any pose, without touching its vertices.
 //!
-//! A vertex goes nearly where its strongest place alone would take it. How far off it is at most has a closed form. Let
-//! `t_i` be the distance between where place `i` and the strongest one would take the vertex, `w_i` its weight, `d_i` the
-//! product of both real parts; and let the strongest have the weight `w`, the others `s` together. With the vertex's
-//! posed place as the origin a dual quaternion's dual part is half its shift times its real part, so the blend is off
-//! by no more than `Σ w_i t_i / |b|`, where `|b| ≥ w + Σ w_i d_i` is the length of its real part. That is at most the largest
-//! `s t_i / (w + s d_i)`: a bound for each pair of places on its own.
+//! Let `w_i` be a vertex's weights, `x_i` where its places would take it, `r_i` the real parts of their dual quaternions.
+//! The linear blend `Σ w_i x_i` lies in the hull of the `x_i`, so boxes around each place's vertices hold it. What dual
+//! quaternions make of the vertex is no farther from that than `σ √(V / (1 - V))`, with the variances
+//! `σ² = Σ w_i w_j |x_i - x_j|²` and `V = Σ w_i w_j |r_i - r_j|²` over pairs: with `x = Σ w_i x_i` as the origin, `b = Σ w_i r_i`
+//! and `r_i b* / |b|² = c_i + u_i` the blend is `Σ w_i (c_i x_i + x_i × u_i)`, `Σ w_i c_i = 1`, and Cauchy's inequality does
+//! the rest. For two equal weights this is the height of the arc over its chord.
 
 use glam::Vec3;
 
+use crate::dual_quaternion::DualQuaternion;
 use crate::{Bounds, Mesh, PALETTE_LEN, Palette};
 
-/// The boxes around a skin at rest, one a place that is some vertex's strongest; bounds any pose.
+/// The boxes around a skin at rest, one a place; bounds any pose.
 ///
-/// Close while joints bend as joints do; where places that share skin are turned against each other by more than about
-/// 200°, so that their blend all but cancels out, the skin may leave it.
+/// Close while joints bend as joints do. Where places that share skin are turned so far against each other that
+/// their blend all but cancels out, beyond 300° for two, the skin may leave it.
 #[derive(Clone, PartialEq, Debug)]
-pub struct SkinBounds(Vec<Owned>);
-
-/// The vertices of which a place is the strongest.
-#[derive(Clone, PartialEq, Debug)]
-struct Owned {
-    place: usize,
-    bounds: Bounds,
-    partners: Vec<Partner>,
+pub struct SkinBounds {
+    boxes: Vec<(usize, Bounds)>,
+    mixtures: Vec<Mixture>,
 }
 
-/// Another place that has a share in them.
+/// The vertices that the same places share.
 #[derive(Clone, PartialEq, Debug)]
-struct Partner {
-    place: usize,
-    /// About where the two give way to each other, metres.
+struct Mixture {
+    /// In ascending order, then zeros.
+    places: [u8; 4],
+    count: usize,
+    /// About where they give way to each other, metres.
     middle: Vec3,
-    weight: f32,
-    /// The most of `s / w` and of `s`, which is `s / (w + s d)` for `d` of 0 and 1.
-    share: [f32; 2],
-    /// The most of the same times the distance from the middle, metres.
-    reach: [f32; 2],
+    /// By pair, see [`PAIRS`]: the most of the product of both weights.
+    share: [f32; 6],
+    /// By pair: the most of the root of that times the distance from the middle, metres.
+    reach: [f32; 6],
+    /// The most of the sum of all pairs' products.
+    total: f32,
 }
 
+/// The pairs of four, those of the first few first.
+const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3]];
 /// What rounding may add, metres.
 const ROUNDING_M: f32 = 2e-6;
-/// The least `w + s d`, over `w`, that is reckoned with.
-const CANCELLED: f32 = 0.05;
+/// The greatest variance of real parts that is reckoned with; at 1 they cancel out.
+const CANCELLED: f32 = 0.95;
 
 impl SkinBounds {
     /// Boxes of a mesh's places; places without skin have none.
@@ -56,131 +57,125 @@ impl SkinBounds {
     /// # Panics
     /// A vertex beyond the mesh's last.
     pub fn of(mesh: &Mesh, vertices: impl Iterator<Item = usize> + Clone) -> SkinBounds {
-        let mut boxes = Boxes { owned: Vec::new(), number: [None; PALETTE_LEN] };
-        vertices.clone().for_each(|vertex| boxes.meet(mesh, vertex));
-        for partner in boxes.owned.iter_mut().flat_map(|owned| &mut owned.partners) {
-            partner.middle /= partner.weight;
+        let mut boxes = [Bounds::EMPTY; PALETTE_LEN];
+        let mut mixtures: Vec<Mixture> = Vec::new();
+        let mut numbers = Vec::new();
+        for vertex in vertices.clone() {
+            let at = Vec3::from_array(mesh.positions[vertex]);
+            let (parts, count) = parts(mesh, vertex);
+            for (place, _) in &parts[..count] {
+                boxes[usize::from(*place)] = boxes[usize::from(*place)].with(at);
+            }
+            // Neighbours in the mesh are mostly of the same mixture.
+            let places = parts.map(|part| part.0);
+            let found =
+                mixtures.iter().rposition(|mixture| mixture.places == places && mixture.count == count);
+            let number = found.unwrap_or(mixtures.len());
+            if found.is_none() {
+                mixtures.push(Mixture::new(places, count));
+            }
+            mixtures[number].meet(at, &parts);
+            numbers.push(number);
         }
-        vertices.for_each(|vertex| boxes.stretch(mesh, vertex));
-        SkinBounds(boxes.owned)
+        mixtures.iter_mut().for_each(|mixture| mixture.middle /= mixture.total.max(f32::MIN_POSITIVE));
+        mixtures.iter_mut().for_each(|mixture| mixture.total = 0.0);
+        for (vertex, number) in vertices.zip(numbers) {
+            mixtures[number].stretch(Vec3::from_array(mesh.positions[vertex]), &parts(mesh, vertex).0);
+        }
+        mixtures.retain(|mixture| mixture.count > 1);
+        let boxes = boxes.into_iter().enumerate().filter(|(_, bounds)| !bounds.is_empty()).collect();
+        SkinBounds { boxes, mixtures }
     }
 
     /// Corners of the posed boxes, in the palette's space: their hull holds every posed vertex.
     pub fn corners<'a>(&'a self, palette: &'a Palette) -> impl Iterator<Item = Vec3> + 'a {
-        self.0.iter().flat_map(|owned| {
-            let (motion, margin) = (palette.motion(owned.place), Vec3::splat(owned.margin(palette)));
-            let grown = Bounds { min: owned.bounds.min - margin, max: owned.bounds.max + margin };
+        let margins = self.margins(palette);
+        self.boxes.iter().flat_map(move |&(place, bounds)| {
+            let (motion, margin) = (palette.motion(place), Vec3::splat(margins[place]));
+            let grown = Bounds { min: bounds.min - margin, max: bounds.max + margin };
             grown.corners().map(|corner| motion.point(corner))
         })
     }
 
     /// A box that holds every posed vertex, in the palette's space; somewhat larger than the tightest one.
     pub fn posed(&self, palette: &Palette) -> Bounds {
-        self.0.iter().fold(Bounds::EMPTY, |all, owned| {
-            let motion = palette.motion(owned.place);
-            let (middle, turn) = (motion.point(owned.bounds.center()), motion.turn());
-            let half = (owned.bounds.max - owned.bounds.min) * 0.5;
+        let margins = self.margins(palette);
+        self.boxes.iter().fold(Bounds::EMPTY, |all, &(place, bounds)| {
+            let motion = palette.motion(place);
+            let (middle, turn) = (motion.point(bounds.center()), motion.turn());
+            let half = (bounds.max - bounds.min) * 0.5;
             let half = turn.x_axis.abs() * half.x + turn.y_axis.abs() * half.y + turn.z_axis.abs() * half.z;
-            let half = half + owned.margin(palette);
+            let half = half + margins[place];
             all.with(middle - half).with(middle + half)
         })
     }
-}
 
-impl Owned {
-    /// How far its vertices may be from where its place alone would take them, metres.
-    fn margin(&self, palette: &Palette) -> f32 {
-        let own = palette.motion(self.place);
-        let margin = |partner: &Partner| {
-            let other = palette.motion(partner.place);
-            let d: f32 = own.real.dot(other.real);
-            // The two turns' difference has this norm, twice the sine of half the angle.
-            let apart = 2.0 * (1.0 - d * d).max(0.0).sqrt();
-            let shift = own.point(partner.middle).distance(other.point(partner.middle));
-            partner.at(partner.reach, d) * apart + partner.at(partner.share, d) * shift
-        };
-        self.partners.iter().map(margin).fold(0.0, f32::max) + ROUNDING_M
-    }
-}
-
-impl Partner {
-    fn new(place: usize) -> Partner {
-        Partner { place, middle: Vec3::ZERO, weight: 0.0, share: [0.0; 2], reach: [0.0; 2] }
-    }
-
-    /// The most of something times `s / (w + s d)`, given the same for `d` of 0 and 1.
-    fn at(&self, [at_0, at_1]: [f32; 2], d: f32) -> f32 {
-        if d >= 0.0 {
-            // 1 / (w + s d) is convex in d, so its chord lies above it.
-            at_0 + (at_1 - at_0) * d
-        } else {
-            at_0 / (1.0 + self.share[0] * d).max(CANCELLED)
-        }
-    }
-}
-
-/// Boxes in the making.
-struct Boxes {
-    owned: Vec<Owned>,
-    /// By place, its number among the owners.
-    number: [Option<usize>; PALETTE_LEN],
-}
-
-impl Boxes {
-    /// The boxes of the strongest place of a vertex, that place's weight, and the other places with theirs.
-    fn owner(
-        &mut self,
-        mesh: &Mesh,
-        vertex: usize,
-    ) -> (&mut Owned, f32, impl Iterator<Item = (usize, f32)> + Clone + use<>) {
-        let place = |joint: u8| usize::from(joint).min(PALETTE_LEN - 1);
-        let weights = mesh.weights[vertex].map(|weight| f32::from(weight) / 65535.0);
-        let parts: [(usize, f32); 4] = std::array::from_fn(|i| (place(mesh.joints[vertex][i]), weights[i]));
-        let (own, weight) = parts.into_iter().fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
-        let next = self.owned.len();
-        let number = *self.number[own].get_or_insert(next);
-        if number == next {
-            self.owned.push(Owned { place: own, bounds: Bounds::EMPTY, partners: Vec::new() });
-        }
-        let others = parts.into_iter().filter(move |part| part.0 != own && part.1 > 0.0);
-        (&mut self.owned[number], weight, others)
-    }
-
-    /// Enters a vertex in the boxes and in the middles of its pairs, which are sums for now.
-    fn meet(&mut self, mesh: &Mesh, vertex: usize) {
-        let position = Vec3::from_array(mesh.positions[vertex]);
-        let (owned, weight, others) = self.owner(mesh, vertex);
-        owned.bounds = owned.bounds.with(position);
-        for (place, other_weight) in others {
-            let partner = owned.partner(place);
-            partner.middle += position * (weight * other_weight);
-            partner.weight += weight * other_weight;
-        }
-    }
-
-    /// Stretches its pairs' reaches, once their middles are known.
-    fn stretch(&mut self, mesh: &Mesh, vertex: usize) {
-        let position = Vec3::from_array(mesh.positions[vertex]);
-        let (owned, weight, others) = self.owner(mesh, vertex);
-        let rest = others.clone().map(|part| part.1).sum::<f32>();
-        for (place, _) in others {
-            let partner = owned.partner(place);
-            let far = position.distance(partner.middle);
-            for (i, share) in [rest / weight, rest / (weight + rest)].into_iter().enumerate() {
-                partner.share[i] = partner.share[i].max(share);
-                partner.reach[i] = partner.reach[i].max(share * far);
+    /// By place, how far the skin may leave the hull of its boxes, metres. It leaves a mixture's hull by no more than
+    /// the mixture's margin, so each of the mixture's boxes grows by that.
+    fn margins(&self, palette: &Palette) -> [f32; PALETTE_LEN] {
+        let mut margins = [ROUNDING_M; PALETTE_LEN];
+        for mixture in &self.mixtures {
+            let margin = mixture.margin(palette) + ROUNDING_M;
+            for place in &mixture.places[..mixture.count] {
+                let least = &mut margins[usize::from(*place)];
+                *least = least.max(margin);
             }
         }
+        margins
     }
 }
 
-impl Owned {
-    fn partner(&mut self, place: usize) -> &mut Partner {
-        let found = self.partners.iter().position(|partner| partner.place == place);
-        let number = found.unwrap_or(self.partners.len());
-        if found.is_none() {
-            self.partners.push(Partner::new(place));
+/// The places of a vertex and their weights, in ascending order of places; how many there are.
+fn parts(mesh: &Mesh, vertex: usize) -> ([(u8, f32); 4], usize) {
+    let (mut parts, mut count) = ([(0, 0.0); 4], 0);
+    for (place, weight) in mesh.joints[vertex].into_iter().zip(mesh.weights[vertex]) {
+        if weight > 0 {
+            parts[count] = (place.min(PALETTE_LEN as u8 - 1), f32::from(weight) / 65535.0);
+            count += 1;
         }
-        &mut self.partners[number]
+    }
+    parts[..count].sort_by_key(|part| part.0);
+    (parts, count)
+}
+
+impl Mixture {
+    fn new(places: [u8; 4], count: usize) -> Mixture {
+        Mixture { places, count, middle: Vec3::ZERO, share: [0.0; 6], reach: [0.0; 6], total: 0.0 }
+    }
+
+    /// Adds a vertex to the middle, which is a sum for now.
+    fn meet(&mut self, at: Vec3, parts: &[(u8, f32); 4]) {
+        let product: f32 = PAIRS.iter().map(|[i, j]| parts[*i].1 * parts[*j].1).sum();
+        self.middle += at * product;
+        self.total += product;
+    }
+
+    /// Stretches the reaches to a vertex, once the middle is known.
+    fn stretch(&mut self, at: Vec3, parts: &[(u8, f32); 4]) {
+        let products = PAIRS.map(|[i, j]| parts[i].1 * parts[j].1);
+        let far = at.distance(self.middle);
+        for (k, product) in products.into_iter().enumerate() {
+            self.share[k] = self.share[k].max(product);
+            self.reach[k] = self.reach[k].max(product.sqrt() * far);
+        }
+        self.total = self.total.max(products.iter().sum());
+    }
+
+    /// How far its vertices may be from their linear blend, metres.
+    fn margin(&self, palette: &Palette) -> f32 {
+        let motions: [DualQuaternion; 4] = self.places.map(|place| palette.motion(usize::from(place)));
+        let middles = motions.map(|motion| motion.point(self.middle));
+        let (mut spread, mut variance, mut farthest) = (0.0_f32, 0.0_f32, 0.0_f32);
+        for (k, [i, j]) in PAIRS.into_iter().enumerate().take(self.count * (self.count - 1) / 2) {
+            let apart = motions[i].real.distance_squared(motions[j].real);
+            // Twice the sine of half the angle between both turns, the norm of their matrices' difference.
+            let turned = (apart * (4.0 - apart)).max(0.0).sqrt();
+            let off = self.reach[k] * turned + self.share[k].sqrt() * middles[i].distance(middles[j]);
+            spread += off * off;
+            variance += self.share[k] * apart;
+            farthest = farthest.max(apart);
+        }
+        let variance = variance.min(self.total * farthest).min(CANCELLED);
+        (spread * variance / (1.0 - variance)).sqrt()
     }
 }

@@ -135,3 +135,120 @@ fn strongest((mut all, count): ([(u8, u32); 8], usize)) -> ([u8; 4], [u16; 4]) {
     weights[0] += (total - weights.iter().copied().map(u32::from).sum::<u32>()) as u16;
     (joints, weights)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Articulation, Joint};
+
+    /// Hips, thighs, shins and feet of a figure without arms.
+    fn legs() -> Skeleton {
+        let joint = |bone: Bone, carrier: Option<Bone>, offset: [f64; 3]| Joint {
+            bone,
+            carrier,
+            offset: DVec3::from(offset),
+            articulation: Articulation::Hinges(Vec::new()),
+            mass: 1.0,
+            center_of_mass: DVec3::ZERO,
+        };
+        let mut joints = vec![joint(Bone::Hips, None, [0.0, 1.0, 0.0])];
+        for (x, [thigh, shin, foot]) in [
+            (0.1, [Bone::LeftUpperLeg, Bone::LeftLowerLeg, Bone::LeftFoot]),
+            (-0.1, [Bone::RightUpperLeg, Bone::RightLowerLeg, Bone::RightFoot]),
+        ] {
+            joints.push(joint(thigh, Some(Bone::Hips), [x, 0.0, 0.0]));
+            joints.push(joint(shin, Some(thigh), [0.0, -0.45, 0.0]));
+            joints.push(joint(foot, Some(shin), [0.0, -0.45, 0.0]));
+        }
+        Skeleton::new(joints).unwrap()
+    }
+
+    fn mesh(rows: &[([f32; 3], [u8; 4], [u16; 4])]) -> Mesh {
+        Mesh {
+            positions: rows.iter().map(|row| row.0).collect(),
+            normals: vec![[0.0, 1.0, 0.0]; rows.len()],
+            colors: vec![[0.5; 3]; rows.len()],
+            joints: rows.iter().map(|row| row.1).collect(),
+            weights: rows.iter().map(|row| row.2).collect(),
+            indices: Vec::new(),
+        }
+    }
+
+    fn spread(row: ([f32; 3], [u8; 4], [u16; 4])) -> Vec<(usize, u16)> {
+        let mut mesh = mesh(&[row]);
+        spread_twist(&mut mesh, &legs());
+        assert_eq!(mesh.fault(), None);
+        let parts = mesh.joints[0].into_iter().zip(mesh.weights[0]);
+        parts.filter(|part| part.1 > 0).map(|(place, weight)| (usize::from(place), weight)).collect()
+    }
+
+    const THIGH: u8 = Bone::LeftUpperLeg as u8;
+    const SHIN: u8 = Bone::LeftLowerLeg as u8;
+
+    #[test]
+    fn places_are_numbered_in_order_and_each_has_its_bone() {
+        for (i, segment) in SEGMENTS.iter().enumerate() {
+            assert_eq!(segment.place, Bone::COUNT + i);
+            assert_eq!(bone_of_place(segment.place), segment.bone);
+            assert_eq!(segment.next.carrier(), segment.bone);
+        }
+        assert!(Bone::ALL.into_iter().all(|bone| bone_of_place(bone.index()) == bone));
+        assert_eq!(bone_of_place(PLACES), Bone::Hips);
+        const { assert!(PLACES < crate::PALETTE_LEN) };
+    }
+
+    #[test]
+    fn a_thigh_is_the_twist_place_s_above_and_the_bone_s_below() {
+        let place = SEGMENTS[2].place;
+        let at = |y: f32| spread(([0.12, y, 0.0], [THIGH, 0, 0, 0], [65535, 0, 0, 0]));
+        assert_eq!(at(0.97), [(place, 65535)]);
+        assert_eq!(at(0.57), [(usize::from(THIGH), 65535)]);
+        let half = at(0.775);
+        assert_eq!(half.len(), 2);
+        assert!(half.iter().all(|part| part.1.abs_diff(32768) < 3), "{half:?}");
+    }
+
+    #[test]
+    fn a_shin_is_the_bone_s_above_and_the_twist_place_s_below() {
+        let at = |y: f32| spread(([0.12, y, 0.0], [0, SHIN, 0, 0], [0, 65535, 0, 0]));
+        assert_eq!(at(0.5), [(usize::from(SHIN), 65535)]);
+        assert_eq!(at(0.1), [(SEGMENTS[3].place, 65535)]);
+    }
+
+    #[test]
+    fn of_more_than_four_places_the_weakest_go_and_the_sum_stays() {
+        let joints = [THIGH, 0, SHIN, Bone::Spine as u8];
+        let parts = spread(([0.12, 0.7, 0.0], joints, [40000, 20000, 5000, 535]));
+        assert_eq!(parts.len(), 4);
+        assert!(parts.iter().all(|part| part.0 != Bone::Spine.index()), "{parts:?}");
+        assert_eq!(parts.iter().map(|part| u32::from(part.1)).sum::<u32>(), 65535);
+    }
+
+    #[test]
+    fn both_sides_are_spread_alike_and_the_same_twice() {
+        let twin = |joints: [u8; 4]| joints.map(|b| Bone::ALL[usize::from(b)].mirrored() as u8);
+        let rows: Vec<_> = (0..200_u16)
+            .map(|i| {
+                let (a, b) = (327 * i, (65535 - 327 * i) / 3);
+                let height = 1.0 - f32::from(i) * 0.0047;
+                ([0.03 * f32::from(i % 7), height, 0.01], [THIGH, SHIN, 0, 3], [a, b, b, 65535 - a - 2 * b])
+            })
+            .collect();
+        let flipped: Vec<_> = rows.iter().map(|(p, j, w)| ([-p[0], p[1], p[2]], twin(*j), *w)).collect();
+        let (mut left, mut right, mut again) = (mesh(&rows), mesh(&flipped), mesh(&rows));
+        for mesh in [&mut left, &mut right, &mut again] {
+            spread_twist(mesh, &legs());
+        }
+        assert_eq!(left, again);
+        assert_eq!(left.weights, right.weights);
+        for (l, r) in left.joints.iter().flatten().zip(right.joints.iter().flatten()) {
+            assert_eq!(bone_of_place(usize::from(*l)).mirrored(), bone_of_place(usize::from(*r)));
+        }
+    }
+
+    #[test]
+    fn segments_that_a_figure_lacks_stay_as_they_are() {
+        let arm = ([0.3, 1.4, 0.0], [Bone::LeftUpperArm as u8, 0, 0, 0], [65535, 0, 0, 0]);
+        assert_eq!(spread(arm), [(Bone::LeftUpperArm.index(), 65535)]);
+    }
+}

@@ -1,14 +1,15 @@
 //! A skin to bytes.
 
-use rig::{Bone, Mesh, MorphTarget, MorphTargets, Skeleton};
+use rig::{Bone, Mesh, MorphTarget, MorphTargets, Skeleton, bone_of_place};
 use serde_json::{Value, json};
 
 use super::container::join;
 
 /// A skin as a binary glTF file: joints as nodes of their VRM names, one mesh, one skin.
 ///
-/// Colours are rounded to 16 bits; everything else is kept bit for bit. The mesh should have no [`Mesh::fault`];
-/// of a faulty one whole vertices and triangles are written. A mesh without triangles gives a file of joints alone.
+/// Colours are rounded to 16 bits, twist places give their weights back to their bones; everything else is kept bit for
+/// bit. The mesh should have no [`Mesh::fault`]; of a faulty one whole vertices and triangles are written. A mesh without
+/// triangles gives a file of joints alone.
 pub fn write(mesh: &Mesh, skeleton: &Skeleton, name: &str) -> Vec<u8> {
     write_with_targets(mesh, &MorphTargets::new(), skeleton, name)
 }
@@ -139,13 +140,9 @@ impl File {
         let colors = self.put(mesh.colors[..n].iter().map(color), (U16, "VEC4"), Some(ARRAY));
         self.accessors[colors]["normalized"] = json!(true);
         let places_of = self.joint_places();
-        let used = |i: usize| -> [u8; 4] {
-            let (joints, weights) = (mesh.joints[i], mesh.weights[i]);
-            let place = |k: usize| places_of.get(usize::from(joints[k])).copied().unwrap_or(0);
-            std::array::from_fn(|k| if weights[k] > 0 { place(k) } else { 0 })
-        };
-        let joints = self.put((0..n).map(used), (U8, "VEC4"), Some(ARRAY));
-        let weights = self.put(mesh.weights[..n].iter().map(shorts), (U16, "VEC4"), Some(ARRAY));
+        let rows: Vec<_> = (0..n).map(|i| by_joint(&places_of, mesh.joints[i], mesh.weights[i])).collect();
+        let joints = self.put(rows.iter().map(|row| row.0), (U8, "VEC4"), Some(ARRAY));
+        let weights = self.put(rows.iter().map(|row| shorts(&row.1)), (U16, "VEC4"), Some(ARRAY));
         self.accessors[weights]["normalized"] = json!(true);
         // The largest short means "start anew" to some hardware, so it isn't used.
         let indices = if n <= usize::from(u16::MAX) {
@@ -212,6 +209,18 @@ impl File {
         });
         self.put(rows, (F32, "MAT4"), None)
     }
+}
+
+/// A vertex's weights by the skin's joints: each joint once, though its bone may have a twist place beside it.
+fn by_joint(places_of: &[u8; Bone::COUNT], joints: [u8; 4], weights: [u16; 4]) -> ([u8; 4], [u16; 4]) {
+    let (mut out_joints, mut out_weights) = ([0; 4], [0_u16; 4]);
+    for k in (0..4).filter(|&k| weights[k] > 0) {
+        let joint = places_of[bone_of_place(usize::from(joints[k])).index()];
+        let slot = (0..k).find(|&i| out_weights[i] > 0 && out_joints[i] == joint).unwrap_or(k);
+        out_joints[slot] = joint;
+        out_weights[slot] = out_weights[slot].saturating_add(weights[k]);
+    }
+    (out_joints, out_weights)
 }
 
 fn floats(v: &[f32; 3]) -> [u8; 12] {

@@ -1,7 +1,7 @@
 //! Poses for the preview: what skins are asked for most and find hardest.
 
 use glam::DVec3;
-use rig::{Angles, Bone, Frame, Frames, Mesh, Palette, Skeleton, skin_normals, skin_positions};
+use rig::{Angles, Bone, Frame, Frames, Mesh, Palette, Skeleton, skin_normals, skin_positions, spread_twist};
 
 /// Angles of some bones in degrees: flexion, abduction, twist. Left bones stand for both sides.
 pub type Stance = [(Bone, [f64; 3])];
@@ -65,7 +65,7 @@ pub const FIST: &Stance = FISTS.split_at(15).0;
 /// Head turned, mouth open.
 pub const JAW: &Stance = FISTS.split_at(17).1;
 
-/// The mesh in a pose.
+/// The mesh in a pose, skinned as a loaded figure is.
 pub fn posed(mesh: &Mesh, skeleton: &Skeleton, stance: &Stance) -> Mesh {
     let mut frames = Frames([Frame::IDENTITY; Bone::COUNT]);
     let mut rest = [DVec3::ZERO; Bone::COUNT];
@@ -79,7 +79,8 @@ pub fn posed(mesh: &Mesh, skeleton: &Skeleton, stance: &Stance) -> Mesh {
     }
     let palette = Palette::new(&frames, &rest);
     let mut posed = mesh.clone();
-    posed.positions = skin_positions(mesh, &palette).iter().map(|p| p.to_array()).collect();
-    posed.normals = skin_normals(mesh, &palette).iter().map(|p| p.to_array()).collect();
+    spread_twist(&mut posed, skeleton);
+    posed.normals = skin_normals(&posed, &palette).iter().map(|p| p.to_array()).collect();
+    posed.positions = skin_positions(&posed, &palette).iter().map(|p| p.to_array()).collect();
     posed
 }
