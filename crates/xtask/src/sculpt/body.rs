@@ -6,7 +6,7 @@ use rig::{Bone, Skeleton};
 use super::field::{Field, Part};
 use super::fit::figure_scale;
 use super::physique::Physique;
-use super::{ear, foot, hand, head, limbs, torso};
+use super::{arm, ear, foot, hand, head, leg, torso};
 
 /// Every part of the left half, carriers before fingers and toes.
 pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
@@ -15,9 +15,9 @@ pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
         torso::part(s, physique),
         head::part(s, physique),
         ear::ear(s),
-        limbs::leg(s, physique),
+        leg::leg(s, physique),
         foot::foot(s),
-        limbs::arm(s, physique),
+        arm::arm(s, physique),
         hand::palm(s),
     ];
     parts.extend((0..5).map(|i| hand::finger(s, i)));

@@ -6,8 +6,9 @@
 use glam::{DMat3, DVec3, DVec4};
 use rig::{Bone, Skeleton};
 
+use super::blend::{ease, mix};
 use super::curve::Curve;
-use super::shape::{Loft, Section, Shape, Slit};
+use super::shape::{Bead, Loft, Section, Shape, Slit};
 
 /// Hips height in the proportions that the body is drawn in, metres.
 const DRAWN_HIPS: f64 = 0.94;
@@ -108,6 +109,30 @@ impl Fit {
         beads.push(row(last));
         let bead = |v: DVec4| (self.point([v.x, v.y, v.z]), v.w.max(1e-5) * self.girth);
         Shape::Strand(beads.into_iter().map(bead).collect())
+    }
+
+    /// A ridge along a smooth line through places with radii, to swell the skin with; all of its height is there in
+    /// the middle fifth of the line.
+    pub fn ridge(&self, knots: &[[f64; 4]]) -> Shape {
+        let Shape::Strand(line) = self.strand(knots) else { return Shape::Ridge(Vec::new()) };
+        let mut far = vec![0.0];
+        for w in line.windows(2) {
+            far.push(far[far.len() - 1] + w[0].0.distance(w[1].0));
+        }
+        let length = far[far.len() - 1];
+        let least = line.iter().map(|b| b.1).fold(f64::MAX, f64::min);
+        let steps = (length / (0.45 * least)).ceil().clamp(2.0, 200.0);
+        let bead = |i: usize| {
+            let s = (i as f64 + 0.5) / steps;
+            let k = far.partition_point(|&f| f <= s * length).clamp(1, line.len() - 1);
+            let t = (s * length - far[k - 1]) / (far[k] - far[k - 1]).max(1e-12);
+            let r = mix(line[k - 1].1, line[k].1, t);
+            let fade = ease(0.0, 0.4, s) * ease(1.0, 0.6, s);
+            // A ball of radius 1 sums to 32/35 along a line through its centre.
+            let share = fade * (length / steps) * 35.0 / (32.0 * r);
+            Bead { at: line[k - 1].0.lerp(line[k].0, t), r2: r * r, share }
+        };
+        Shape::Ridge((0..steps as usize).map(bead).collect())
     }
 
     /// A slit on a ball's front: rows of metres beside the centre, lower and upper edge; see [`Slit`].

@@ -3,6 +3,7 @@
 //! `cargo xtask sculpt` writes the figure's skin anew; with `--preview DIR` it only draws it, posed and from all
 //! sides, into a folder. The same skeleton gives the same bytes.
 
+mod arm;
 mod assemble;
 mod blend;
 mod body;
@@ -15,7 +16,7 @@ mod fit;
 mod foot;
 mod hand;
 mod head;
-mod limbs;
+mod leg;
 mod nets;
 mod paint;
 mod part;

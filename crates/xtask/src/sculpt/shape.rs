@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::blend::{FAR, ease, soft_max};
+use super::blend::{FAR, soft_max};
 use super::curve::Curve;
 
 /// A closed box along the world axes.
@@ -60,8 +60,21 @@ pub enum Shape {
     Loft(Loft),
     /// Balls and the cones between neighbours: a tube along a bent line. Centres with radii, at least one.
     Strand(Vec<(DVec3, f64)>),
+    /// Balls so close that their falls add up to a smooth ridge along a line, which fades towards both ends.
+    Ridge(Vec<Bead>),
     /// What a ball's centre sees through a slit in its front (+Z), from `floor` metres on to a third over the radius.
     Slit(Slit),
+}
+
+/// One ball of a ridge.
+#[derive(Clone, Copy, Debug)]
+pub struct Bead {
+    /// Its centre.
+    pub at: DVec3,
+    /// The square of its radius.
+    pub r2: f64,
+    /// Its part of the ridge's height.
+    pub share: f64,
 }
 
 /// A slit on a ball, as between two lids.
@@ -89,23 +102,21 @@ impl Shape {
             }
             Shape::Loft(loft) => loft.distance(p),
             Shape::Strand(beads) => strand(p, beads),
+            Shape::Ridge(beads) => beads.iter().map(|b| p.distance(b.at) - b.r2.sqrt()).fold(FAR, f64::min),
             Shape::Slit(slit) => slit.distance(p),
         }
     }
 
-    /// 1 at the core of the solid, 0 from its surface on, smooth in between; the core is a ball's centre, a cone's line
-    /// or a strand's, along which it fades towards both ends. Other solids have none.
+    /// 1 at the core of the solid, 0 from its surface on, smooth in between; the core is a ball's centre or a ridge's
+    /// line. Other solids have none.
     pub fn core(&self, p: DVec3) -> f64 {
-        let (r2, fade) = match self {
+        match self {
             Shape::Ellipsoid { center, frame, radii } => {
-                ((frame.transpose() * (p - *center) / *radii).length_squared(), 1.0)
+                fall((frame.transpose() * (p - *center) / *radii).length_squared())
             }
-            Shape::Cone { a, b, ra, rb } => (off_line(p, (*a, *ra), (*b, *rb)).0, 1.0),
-            Shape::Strand(beads) => strand_core(p, beads),
-            Shape::Slab { .. } | Shape::Loft(_) | Shape::Slit(_) => (1.0, 0.0),
-        };
-        let fall = (1.0 - r2).max(0.0);
-        fade * fall * fall * fall
+            Shape::Ridge(beads) => beads.iter().map(|b| b.share * fall((p - b.at).length_squared() / b.r2)).sum(),
+            _ => 0.0,
+        }
     }
 
     /// A box around the solid.
@@ -125,6 +136,10 @@ impl Shape {
             Shape::Loft(loft) => loft.bounds(),
             Shape::Strand(beads) => {
                 let each = beads.iter().map(|(at, r)| around(*at, DVec3::splat(*r)));
+                each.reduce(|a, b| a.union(&b)).unwrap_or(around(DVec3::ZERO, DVec3::ZERO))
+            }
+            Shape::Ridge(beads) => {
+                let each = beads.iter().map(|b| around(b.at, DVec3::splat(b.r2.sqrt())));
                 each.reduce(|a, b| a.union(&b)).unwrap_or(around(DVec3::ZERO, DVec3::ZERO))
             }
             Shape::Slit(slit) => around(slit.center, DVec3::splat(slit.radius * 1.4)),
@@ -167,24 +182,10 @@ fn cone(p: DVec3, a: DVec3, b: DVec3, ra: f64, rb: f64) -> f64 {
     }
 }
 
-/// Square of the distance to a line of changing radius, in that radius; and where along the line, 0 to 1.
-fn off_line(p: DVec3, (a, ra): (DVec3, f64), (b, rb): (DVec3, f64)) -> (f64, f64) {
-    let axis = b - a;
-    let t = ((p - a).dot(axis) / axis.length_squared().max(1e-18)).clamp(0.0, 1.0);
-    let r = ra + (rb - ra) * t;
-    ((p - a - axis * t).length_squared() / (r * r).max(1e-18), t)
-}
-
-/// The same for a strand, and how much of its height is left there: all in the middle, none at the ends.
-fn strand_core(p: DVec3, beads: &[(DVec3, f64)]) -> (f64, f64) {
-    let (mut least, mut along) = (1.0, 0.0);
-    for (i, w) in beads.windows(2).enumerate() {
-        let (r2, t) = off_line(p, w[0], w[1]);
-        if r2 < least {
-            (least, along) = (r2, (i as f64 + t) / (beads.len() - 1) as f64);
-        }
-    }
-    (least, ease(0.0, 0.4, along) * ease(1.0, 0.6, along))
+/// From 1 at no distance to 0 at one radius, by the square of the distance in radii.
+fn fall(r2: f64) -> f64 {
+    let left = (1.0 - r2).max(0.0);
+    left * left * left
 }
 
 /// Distance to the nearest of the cones between neighbours.
