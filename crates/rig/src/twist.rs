@@ -53,8 +53,8 @@ pub fn bone_of_place(place: usize) -> Bone {
 ///
 /// For any figure, once, when its skin comes from a file; the mesh and the skeleton are at rest and of the same
 /// proportions. A segment whose ends the skeleton lacks, or that has no length, stays as it is, as does a twist place
-/// that is already there. Weights still sum to 65,535; of more than four places the weakest are dropped. What is mirrored
-/// in x stays so.
+/// that is already there. Each bone keeps its weight, to its last bit; where it takes more than four places, the weights
+/// of which the least would be moved stay together. What is mirrored in x stays so.
 pub fn spread_twist(mesh: &mut Mesh, skeleton: &Skeleton) {
     let spans: Vec<Span> = SEGMENTS.iter().filter_map(|segment| Span::of(segment, skeleton)).collect();
     let rows = mesh.positions.iter().zip(&mut mesh.joints).zip(&mut mesh.weights);
@@ -62,7 +62,7 @@ pub fn spread_twist(mesh: &mut Mesh, skeleton: &Skeleton) {
         let twists = |place: &u8| spans.iter().any(|span| span.segment.bone.index() == usize::from(*place));
         if joints.iter().any(twists) {
             let at = DVec3::from(position.map(f64::from));
-            (*joints, *weights) = strongest(shared(&spans, at, *joints, *weights));
+            (*joints, *weights) = shared(&spans, at, *joints, *weights);
         }
     }
 }
@@ -100,40 +100,42 @@ impl Span {
     }
 }
 
-/// The weights of a vertex with twist shared out, and how many there are; a place may be named more than once.
-fn shared(spans: &[Span], at: DVec3, joints: [u8; 4], weights: [u16; 4]) -> ([(u8, u32); 8], usize) {
-    let (mut all, mut count) = ([(0, 0); 8], 0);
-    for (joint, weight) in joints.into_iter().zip(weights.map(u32::from)) {
-        let span = spans.iter().find(|span| span.segment.bone.index() == usize::from(joint));
-        let parts = match span.map(|span| span.share(at)) {
-            Some((near, far, share)) => {
-                let beyond = (f64::from(weight) * share).round() as u32;
-                [(near as u8, weight - beyond), (far as u8, beyond)]
-            }
-            None => [(joint, weight), (joint, 0)],
-        };
-        for part in parts.into_iter().filter(|part| part.1 > 0) {
-            all[count] = part;
-            count += 1;
-        }
+/// The near and the far part of each of a vertex's weights: place and weight. What doesn't twist is all near.
+type Parts = [[(usize, u16); 2]; 4];
+
+/// The weights of a vertex with twist shared out, over at most four places.
+fn shared(spans: &[Span], at: DVec3, joints: [u8; 4], weights: [u16; 4]) -> ([u8; 4], [u16; 4]) {
+    let mut parts: Parts = std::array::from_fn(|i| {
+        let (bone, weight) = (usize::from(joints[i]), weights[i]);
+        let span = spans.iter().find(|span| span.segment.bone.index() == bone);
+        let (near, far, share) = span.map_or((bone, bone, 0.0), |span| span.share(at));
+        let beyond = (f64::from(weight) * share).round() as u16;
+        [(near, weight - beyond), (far, beyond)]
+    });
+    let count = |parts: &Parts| parts.iter().flatten().filter(|part| part.1 > 0).count();
+    while count(&parts) > 4 {
+        join_least(&mut parts);
     }
-    (all, count)
+    let (mut joints, mut weights) = ([0; 4], [0; 4]);
+    for (i, (place, weight)) in parts.into_iter().flatten().filter(|part| part.1 > 0).enumerate() {
+        (joints[i], weights[i]) = (place as u8, weight);
+    }
+    (joints, weights)
 }
 
-/// The four strongest places of a vertex, strongest first, with what the others had shared among them.
-fn strongest((mut all, count): ([(u8, u32); 8], usize)) -> ([u8; 4], [u16; 4]) {
-    let used = &mut all[..count];
-    used.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
-    let total: u32 = used.iter().map(|part| part.1).sum();
-    let kept: u32 = used.iter().take(4).map(|part| part.1).sum();
-    let (mut joints, mut weights) = ([0; 4], [0; 4]);
-    for (i, &(place, weight)) in used.iter().take(4).enumerate() {
-        joints[i] = place;
-        weights[i] = (u64::from(weight) * u64::from(total) / u64::from(kept.max(1))) as u16;
+/// Puts the weights together again of which the least would be moved: the whole to the larger part. Of several equal
+/// ones all, so that a vertex in the middle of the body favours no side.
+fn join_least(parts: &mut Parts) {
+    let lesser = |[near, far]: &[(usize, u16); 2]| near.1.min(far.1);
+    let least = parts.iter().map(lesser).filter(|weight| *weight > 0).min().unwrap_or(0);
+    for pair in parts.iter_mut().filter(|pair| lesser(pair) == least) {
+        let [near, far] = pair;
+        if near.1 < far.1 {
+            (near.1, far.1) = (0, near.1 + far.1);
+        } else {
+            (near.1, far.1) = (near.1 + far.1, 0);
+        }
     }
-    // Rounding down leaves at most three over.
-    weights[0] += (total - weights.iter().copied().map(u32::from).sum::<u32>()) as u16;
-    (joints, weights)
 }
 
 #[cfg(test)]
@@ -216,12 +218,23 @@ mod tests {
     }
 
     #[test]
-    fn of_more_than_four_places_the_weakest_go_and_the_sum_stays() {
+    fn bones_keep_their_weights_and_what_matters_least_stays_together() {
         let joints = [THIGH, 0, SHIN, Bone::Spine as u8];
         let parts = spread(([0.12, 0.7, 0.0], joints, [40000, 20000, 5000, 535]));
+        assert_eq!(parts.iter().map(|part| part.1).collect::<Vec<_>>(), [40000, 20000, 5000, 535]);
+        let two = [THIGH, SHIN, 0, Bone::Spine as u8];
+        let parts = spread(([0.12, 0.45, 0.0], two, [30000, 30000, 5535, 0]));
+        assert_eq!(parts, [(usize::from(THIGH), 30000), (usize::from(SHIN), 30000), (0, 5535)]);
+        let parts = spread(([0.12, 0.9, 0.0], [THIGH, SHIN, 0, 0], [60000, 5000, 535, 0]));
         assert_eq!(parts.len(), 4);
-        assert!(parts.iter().all(|part| part.0 != Bone::Spine.index()), "{parts:?}");
-        assert_eq!(parts.iter().map(|part| u32::from(part.1)).sum::<u32>(), 65535);
+        assert_eq!(parts[0].1 + parts[1].1, 60000);
+    }
+
+    #[test]
+    fn a_vertex_in_the_middle_favours_no_side() {
+        let other = Bone::RightUpperLeg as u8;
+        let parts = spread(([0.0, 0.8, 0.0], [0, THIGH, other, 0], [25535, 20000, 20000, 0]));
+        assert_eq!(parts, [(0, 25535), (SEGMENTS[2].place, 20000), (SEGMENTS[6].place, 20000)]);
     }
 
     #[test]
