@@ -14,7 +14,7 @@ pub fn field(skeleton: &Skeleton, physique: &Physique) -> Field {
     let mut parts: Vec<Part> = vec![
         torso::part(s, physique),
         head::part(s, physique),
-        ear::ear(s),
+        ear::ear(s, physique),
         leg::leg(s, physique),
         foot::foot(s),
         arm::arm(s, physique),

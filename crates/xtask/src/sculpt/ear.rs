@@ -6,6 +6,7 @@ use rig::Skeleton;
 use super::field::{Part, Region};
 use super::fit::Fit;
 use super::head::head_fit;
+use super::physique::Physique;
 use super::shape::Shape;
 
 /// The drawn place of the ear hole.
@@ -17,12 +18,14 @@ const UP: DVec3 = DVec3::new(0.080, 0.982, -0.172);
 
 struct Plane {
     fit: Fit,
+    size: f64,
 }
 
 impl Plane {
     fn at(&self, [u, v, n]: [f64; 3]) -> [f64; 3] {
         let out = UP.cross(BACK).normalize() * -1.0;
-        (DVec3::from(HOLE) + BACK.normalize() * u + UP.normalize() * v + out * n).to_array()
+        let across = BACK.normalize() * u + UP.normalize() * v + out * n;
+        (DVec3::from(HOLE) + across * self.size).to_array()
     }
 
     fn line(&self, knots: &[[f64; 4]]) -> Shape {
@@ -39,9 +42,10 @@ impl Plane {
     }
 }
 
-/// The ear: plate and bowl, rim, inner fold, the two knobs before the hole, lobe.
-pub fn ear(skeleton: &Skeleton) -> Part {
-    let plane = Plane { fit: head_fit(skeleton) };
+/// The ear, a little larger in men and with age: plate and bowl, rim, inner fold, the two knobs before the hole, lobe.
+pub fn ear(skeleton: &Skeleton, physique: &Physique) -> Part {
+    let size = 1.0 - 0.03 * physique.sex + 0.05 * physique.age;
+    let plane = Plane { fit: head_fit(skeleton), size };
     let mut ear = Part::new(Region::Ear, 0.005);
     ear.add(0.0, plane.ball([0.0122, 0.0080, 0.0012], [0.0158, 0.0275, 0.0030]));
     ear.add(0.008, plane.ball([0.0080, 0.0020, -0.0050], [0.0100, 0.0150, 0.0060]));

@@ -22,12 +22,11 @@ pub const LIDS: [(f64, [f64; 2]); 9] = [
     (0.0123, [-0.0007, -0.0003]),
 ];
 
-/// Adds the face's features to the skull.
+/// Adds brow, nose and mouth to the skull.
 pub fn add(f: &Fit, head: &mut Part) {
     brow(f, head);
     nose(f, head);
     mouth(f, head);
-    eye(f, head);
 }
 
 fn brow(f: &Fit, head: &mut Part) {
@@ -45,7 +44,8 @@ fn brow(f: &Fit, head: &mut Part) {
     );
 }
 
-fn eye(f: &Fit, head: &mut Part) {
+/// Adds an eye: socket, lids, the opening between them.
+pub fn eye(f: &Fit, head: &mut Part) {
     let [x, y, z] = EYE;
     // The socket, the eyeball under its lids, the fold above, the opening.
     head.cut(
@@ -124,7 +124,7 @@ fn mouth(f: &Fit, head: &mut Part) {
         f.strand(&[
             [0.0, 1.5300, 0.1040, 0.0130],
             [0.0120, 1.5305, 0.1010, 0.0130],
-            [0.0240, 1.5360, 0.0900, 0.0110],
+            [0.0260, 1.5370, 0.0860, 0.0130],
         ]),
     );
     head.swell(

@@ -3,10 +3,10 @@
 use glam::DVec3;
 use rig::{Bone, Skeleton};
 
-use super::face;
 use super::field::{Part, Region};
 use super::fit::Fit;
 use super::physique::Physique;
+use super::{character, face};
 
 /// Radius of the eyeball as drawn.
 pub const EYE_RADIUS: f64 = 0.0136;
@@ -38,15 +38,19 @@ fn neck_fit(skeleton: &Skeleton) -> Fit {
 }
 
 /// Neck, skull and face without ears.
-pub fn part(skeleton: &Skeleton, _physique: &Physique) -> Part {
+pub fn part(skeleton: &Skeleton, physique: &Physique) -> Part {
     let f = head_fit(skeleton);
+    let throat = neck_fit(skeleton);
     let mut head = Part::new(Region::Head, 0.03);
     skull(&f, &mut head);
-    neck(&neck_fit(skeleton), &mut head);
+    neck(&throat, &mut head);
     mask(&f, &mut head);
     jaw(&f, &mut head);
     cheeks(&f, &mut head);
     face::add(&f, &mut head);
+    character::add(&f, &throat, physique, &mut head);
+    // Last, for lids keep to the eyeballs in every body.
+    face::eye(&f, &mut head);
     head
 }
 

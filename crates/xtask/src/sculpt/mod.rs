@@ -7,6 +7,7 @@ mod arm;
 mod assemble;
 mod blend;
 mod body;
+mod character;
 mod curve;
 mod ear;
 mod eyes;
