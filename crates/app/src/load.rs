@@ -46,7 +46,7 @@ impl Kind {
     }
 }
 
-/// The figure of a `*.figure.ron` file, or the shipped mannequin.
+/// The figure of a `*.figure.ron` file or of a shipped one (`library:child.figure.ron`), or the mannequin.
 ///
 /// # Errors
 /// A file at fault: which, where and why.
@@ -54,10 +54,8 @@ pub fn figure(path: Option<&Path>) -> Result<Arc<Figure>, Failure> {
     let Some(path) = path else {
         return interchange::figure::mannequin().map(Arc::new).map_err(|e| Failure::Input(e.to_string()));
     };
-    let text = read_text(path)?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut fetch = |name: &str| read_bytes(&folder.join(name), MODEL_LIMIT).map_err(|e| e.to_string());
-    let (figure, warnings) = interchange::figure::load(&text, &mut fetch)
+    let text = figure_text(path)?;
+    let (figure, warnings) = interchange::figure::load(&text, &mut beside(path))
         .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
     for warning in warnings {
         log::warn!("{}: {warning}", path.display());
@@ -65,15 +63,30 @@ pub fn figure(path: Option<&Path>) -> Result<Arc<Figure>, Failure> {
     Ok(Arc::new(figure))
 }
 
-/// Reads and checks a pose file.
+/// The text of a figure file, which may be a shipped one.
+///
+/// # Errors
+/// A file that can't be read, a shipped figure that isn't there.
+pub fn figure_text(path: &Path) -> Result<String, Failure> {
+    if !path.to_string_lossy().starts_with(interchange::figure::LIBRARY) {
+        return read_text(path);
+    }
+    // What a shipped file leaves to its base and its neighbours is found in the library, too.
+    Ok(format!("(version: 1, base: {:?})", path.to_string_lossy()))
+}
+
+/// Brings the files that a figure file names.
+pub fn beside(path: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
+    let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+    move |name| read_bytes(&folder.join(name), MODEL_LIMIT).map_err(|e| e.to_string())
+}
+
+/// Reads and checks a pose file, and fits it to the figure if it was made with one of another size.
 ///
 /// # Errors
 /// A file at fault: where and why.
 pub fn patch(figure: &Figure, path: &Path) -> Result<PosePatch, Failure> {
-    let patch = rig::parse_pose(&pose_text(path)?).map_err(|fault| at(path, &fault))?;
-    rig::check_patch(figure, &patch)
-        .map_err(|fault| Failure::Input(format!("{}:1:1: {fault}", path.display())))?;
-    Ok(patch)
+    rig::read_pose(figure, &pose_text(path)?).map_err(|fault| at(path, &fault))
 }
 
 /// The text of a pose file, or of a pose that comes with the program: `library:NAME.pose.ron`.
@@ -96,8 +109,7 @@ pub fn pose(figure: &Figure, path: &Path) -> Result<Pose, Failure> {
 pub fn standing(figure: &Figure) -> Pose {
     let text = include_str!("../../../assets/poses/standing.pose.ron");
     let rest = figure.rest_pose();
-    let patch = rig::parse_pose(text).ok().filter(|patch| rig::check_patch(figure, patch).is_ok());
-    patch.map_or(rest.clone(), |patch| patch.onto(&rest))
+    rig::read_pose(figure, text).map_or(rest.clone(), |patch| patch.onto(&rest))
 }
 
 /// An editor that shows a file: a pose, or what a script makes of the figure at rest.

@@ -283,8 +283,7 @@ fn read_pose(
 
 /// The patch of a pose file's text; faults are named by where it comes from.
 fn read(figure: &Figure, from: &str, text: &str, mirrored: bool) -> Result<PosePatch, Rejected> {
-    let patch = rig::parse_pose(text).map_err(|fault| Rejected(format!("{from}:{fault}")))?;
-    rig::check_patch(figure, &patch).map_err(|e| Rejected(format!("{from}: {e}")))?;
+    let patch = rig::read_pose(figure, text).map_err(|fault| Rejected(format!("{from}:{fault}")))?;
     Ok(if mirrored { rig::mirrored_patch(&patch) } else { patch })
 }
 

@@ -169,6 +169,8 @@ fn flexibility_widens_ranges_about_the_rest() {
     let range =
         |figure: &Figure, bone: Bone| figure.skeleton.joint(bone).unwrap().range(Dof::Flexion).unwrap();
     let (was, is) = (range(base, Bone::LeftLowerLeg), range(&stiff, Bone::LeftLowerLeg));
+    assert_eq!((is.min, is.max), (was.min * 0.875, was.max * 0.875));
+    let (was, is) = (range(base, Bone::Neck), range(&stiff, Bone::Neck));
     assert_eq!((is.min, is.max), (was.min * 0.5, was.max * 0.5));
     assert_eq!(range(base, Bone::LeftIndexProximal), range(&stiff, Bone::LeftIndexProximal));
     // Straight ahead the thigh went up to 121 degrees and back to 19.

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use crate::contacts::{hold_here, keep_contacts};
 use crate::{
     Angles, Articulation, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Moved, Part, Place,
-    Pose, Reacher, Side, Space,
+    Pose, Reacher, Side, Size, Space,
 };
 
 /// Some of a pose: what a file names.
@@ -15,6 +15,8 @@ use crate::{
 pub struct PosePatch {
     /// The name of the figure that it was made with.
     pub figure: Option<String>,
+    /// The size of that figure.
+    pub size: Option<Size>,
     /// Where the figure stands.
     pub place: Option<Place>,
     /// The hips joint in figure space, metres.
@@ -150,7 +152,7 @@ fn blended(figure: &Figure, bone: Bone, from: Angles, to: Angles, amount: f64) -
 }
 
 /// Angles brought inside their ranges, which stretch to hold those of before.
-fn held(figure: &Figure, bone: Bone, before: Angles, mut angles: Angles) -> Angles {
+pub(crate) fn held(figure: &Figure, bone: Bone, before: Angles, mut angles: Angles) -> Angles {
     let Some(joint) = figure.skeleton.joint(bone) else { return angles };
     for dof in joint.dofs() {
         if let Some(range) = joint.range(dof) {
@@ -258,6 +260,7 @@ pub fn mirrored_patch(patch: &PosePatch) -> PosePatch {
     let here = patch.place.unwrap_or_default().world_from_figure();
     PosePatch {
         figure: patch.figure.clone(),
+        size: patch.size,
         place: patch.place,
         hips: patch.hips.map(flipped),
         joints: patch.joints.iter().map(|(bone, a)| (bone.mirrored(), mirrored_angles(*bone, *a))).collect(),

@@ -34,7 +34,8 @@ pub enum BodySlider {
     Shoulders,
     /// Factor of the breadth of the hips; the waist follows.
     Hips,
-    /// Factor of the ranges of joints, about the rest; fingers, eyes and jaw keep theirs.
+    /// Factor of the ranges of joints, about the rest; elbows, knees and wrists take a quarter of it, fingers, eyes and
+    /// jaw none.
     Flexibility,
 }
 

@@ -11,6 +11,7 @@ mod dual_quaternion;
 mod end;
 mod evaluation;
 mod figure;
+mod fitting;
 mod frames;
 mod gesture;
 mod gesture_error;
@@ -26,6 +27,7 @@ mod pose;
 mod pose_file;
 mod reach;
 mod reach_limits;
+mod size;
 mod skeleton;
 mod skin;
 mod skin_bounds;
@@ -44,6 +46,7 @@ pub use camera::{Camera, Projection, Ray, View};
 pub use contacts::contact_order;
 pub use evaluation::{Evaluation, LimbView, center_of_mass, evaluate, frames};
 pub use figure::{Articulator, Figure, Handshape};
+pub use fitting::{carried_over, fitted, read_pose};
 pub use frames::Frames;
 pub use gesture::{
     Target, articulate, articulator_in, check_reacher, elevate, flip, keep, limb_parts_present, move_hips,
@@ -65,6 +68,7 @@ pub use pose_file::{
     write_pose,
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
+pub use size::Size;
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{skin_normals, skin_position, skin_positions};
 pub use skin_bounds::SkinBounds;

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{
     Angles, Bone, Contact, Dof, Figure, GestureError, Limb, LimbState, Part, Place, Pose, PosePatch, Reacher,
-    Space,
+    Size, Space,
 };
 
 /// What is wrong with a text, and where.
@@ -141,6 +141,8 @@ struct PoseText {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     figure: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    size: Option<Size>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     place: Option<PlaceText>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     hips: Option<Triple>,
@@ -238,6 +240,7 @@ pub fn parse_pose(text: &str) -> Result<PosePatch, TextFault> {
     let value = |n: Option<Number>| n.map_or(0.0, |n| n.0);
     Ok(PosePatch {
         figure: file.figure,
+        size: file.size,
         place: file.place.map(|p| Place { position: p.position.into(), turn: p.turn.0 }),
         hips: file.hips.map(DVec3::from),
         joints: file
@@ -317,6 +320,7 @@ fn write(figure: &Figure, pose: &Pose, placed: bool, wanted: &dyn Fn(Bone) -> bo
     let file = PoseText {
         version: POSE_VERSION,
         figure: Some(figure.name.clone()),
+        size: Some(Size::of(&figure.skeleton)),
         place: placed.then_some(place),
         hips: wanted(Bone::Hips).then(|| pose.hips.into()),
         joints: joints.collect(),

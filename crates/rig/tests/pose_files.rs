@@ -175,3 +175,11 @@ fn parts_of_a_pose_are_written_alone() {
     assert!(torso.hips == Some(pose.hips) && torso.limbs.is_empty() && torso.place.is_none());
     assert_eq!(write_parts(figure, &pose, &[]), write_pose(figure, &pose));
 }
+
+#[test]
+fn a_pose_tells_the_size_of_its_figure() {
+    let text = write_pose(figure(), &figure().rest_pose());
+    let size = parse_pose(&text).unwrap().size.unwrap();
+    assert_eq!(size, rig::Size::of(&figure().skeleton));
+    assert_eq!((size.hips, size.ankle), (0.94, 0.067));
+}

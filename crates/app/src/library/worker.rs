@@ -185,9 +185,8 @@ impl Worker {
     ) -> Result<Image, Fault> {
         let name = job.entry.file_name();
         let text = job.entry.text().map_err(Fault::Broken)?;
-        let patch = rig::parse_pose(&text).map_err(|fault| Fault::Broken(format!("{name}:{fault}")))?;
-        rig::check_patch(&job.figure, &patch)
-            .map_err(|fault| Fault::Broken(format!("{name}:1:1: {fault}")))?;
+        let patch =
+            rig::read_pose(&job.figure, &text).map_err(|fault| Fault::Broken(format!("{name}:{fault}")))?;
         let key = cache::key(figure_key, &text);
         if let Some(kept) = self.cache.as_ref().and_then(|cache| cache.get(key)) {
             return Ok(kept);

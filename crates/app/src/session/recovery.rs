@@ -67,8 +67,8 @@ impl Session {
         let Some(lost) = self.recovery.lost.take() else { return };
         if wanted {
             let figure = self.editor.figure().clone();
-            match rig::parse_pose(&lost.text) {
-                Ok(patch) if rig::check_patch(&figure, &patch).is_ok() => {
+            match rig::read_pose(&figure, &lost.text) {
+                Ok(patch) => {
                     self.submit(Request::Open(Box::new(patch.onto(&figure.rest_pose()))));
                     self.status =
                         Status { message: "Opened the pose that was kept".to_owned(), ..Status::default() };
