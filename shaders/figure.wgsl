@@ -1,4 +1,4 @@
-// The figure in the picture and in the data passes. Follows scene.wgsl and skin.wgsl.
+// The figure in the picture and in the data passes. Follows scene.wgsl, survey.wgsl and skin.wgsl.
 
 @group(2) @binding(0) var shadow_map: texture_depth_2d;
 @group(2) @binding(1) var shadow_sampler: sampler_comparison;
@@ -6,6 +6,10 @@
 // What a pipeline is made for: software adapters run both sides of every branch, so what is not wanted is left out.
 override shadowed: bool = true;
 override marked: bool = true;
+// Reads the survey of openness and shadow in place of the shadow map; a drawing reads its lines there.
+override occluded: bool = false;
+// The skin has the colours of parts.
+override colored: bool = false;
 
 struct Surface {
     @builtin(position) clip: vec4<f32>,
@@ -62,65 +66,103 @@ fn vs_part(skin: SkinVertex, surface: SurfaceVertex, part: PartVertex) -> PartSu
     return PartSurface(s.clip, s.world, s.normal, s.color, s.marks, skin.position, part.border, part.part);
 }
 
-// How much of the key light arrives.
+// How much of the key light arrives, from the map of what the light sees.
 fn lit(world: vec3<f32>, n: vec3<f32>) -> f32 {
     // Looking up a little off the surface keeps it from shadowing itself.
     let off = world + n * (scene.ranges.z * 2.5);
     let at = (scene.shadow_from_world * vec4(off, 1.0)).xyz;
-    let a = 1.3 * scene.ranges.w;
-    let b = 2.9 * scene.ranges.w;
-    var sum = textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy, at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-a, -0.4 * a), at.z);
+    let a = 1.5 * scene.ranges.w;
+    var sum = textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-a, -0.4 * a), at.z);
     sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(a, 0.4 * a), at.z);
     sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(0.4 * a, -a), at.z);
     sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-0.4 * a, a), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-b, 0.3 * b), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(b, -0.3 * b), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(0.3 * b, b), at.z);
-    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-0.3 * b, -b), at.z);
-    return sum / 9.0;
+    return sum * 0.25;
 }
 
-const KEY: vec3<f32> = vec3<f32>(1.36, 1.27, 1.15);
-const FILL: vec3<f32> = vec3<f32>(0.160, 0.165, 0.175);
-const SKY: vec3<f32> = vec3<f32>(0.235, 0.265, 0.315);
-const GROUND: vec3<f32> = vec3<f32>(0.105, 0.094, 0.085);
-const RIM: vec3<f32> = vec3<f32>(0.30, 0.34, 0.40);
-
-fn shade(in: Surface, n: vec3<f32>) -> vec3<f32> {
-    let v = toward_viewer(in.world);
-    let facing = clamp(dot(n, v), 0.0, 1.0);
-    var key = max(dot(n, scene.key.xyz), 0.0);
-    if shadowed {
-        key *= lit(in.world, n);
+// x: how open the place is to light from all around; y: how much of the key light arrives.
+fn exposure(in: Surface, n: vec3<f32>) -> vec2<f32> {
+    if occluded {
+        return surveyed(in.clip.xy, view_depth(in.world));
     }
+    if shadowed {
+        return vec2(1.0, lit(in.world, n));
+    }
+    return vec2(1.0);
+}
+
+// The studio: a warm key light from above, a fill light that comes with the viewer, two lights from behind that
+// draw the edges, and a room that is brighter above than below.
+const KEY: vec3<f32> = vec3<f32>(1.70, 1.58, 1.42);
+const FILL: vec3<f32> = vec3<f32>(0.105, 0.115, 0.132);
+const SKY: vec3<f32> = vec3<f32>(0.150, 0.172, 0.208);
+const GROUND: vec3<f32> = vec3<f32>(0.088, 0.072, 0.060);
+const RIM: vec3<f32> = vec3<f32>(0.30, 0.34, 0.40);
+// Light wanders a little under the skin: past the border of the light, red farthest.
+const WRAP: vec3<f32> = vec3<f32>(0.17, 0.085, 0.055);
+
+// What a surface is made of, besides its colour.
+struct Matter {
+    gloss: f32,
+    // Exponent of the highlight.
+    narrow: f32,
+    wrap: vec3<f32>,
+}
+
+// The tint of what is selected and hovered.
+fn tinted(color: vec3<f32>, marks: vec2<f32>) -> vec3<f32> {
+    if !marked {
+        return color;
+    }
+    let hovered = mix(color, scene.hovered_tint.rgb, marks.y * scene.hovered_tint.a);
+    return mix(hovered, scene.selected_tint.rgb, marks.x * scene.selected_tint.a);
+}
+
+// Marked bones glow a little, so that they are found in the shadow too.
+fn glow(marks: vec2<f32>, edge: f32) -> vec3<f32> {
+    if !marked {
+        return vec3(0.0);
+    }
+    let edge3 = edge * edge * edge;
+    return scene.selected_tint.rgb * (marks.x * scene.selected_tint.a * (0.06 + 0.6 * edge3))
+        + scene.hovered_tint.rgb * (marks.y * scene.hovered_tint.a * (0.05 + 0.3 * edge3));
+}
+
+fn in_studio(in: Surface, n: vec3<f32>, matter: Matter) -> vec3<f32> {
+    let v = toward_viewer(in.world);
+    let exposed = exposure(in, n);
+    let albedo = tinted(in.color, in.marks);
+    // Light that is caught in a crease takes on the colour of its walls.
+    let open = mix(vec3(exposed.x), pow(vec3(exposed.x), 1.0 - 0.55 * albedo), 0.8);
+    let turned = dot(n, scene.key.xyz);
+    // The border of the light is the surface's own; shadows count where it faces the light.
+    let arrives = mix(1.0, exposed.y, smoothstep(-0.08, 0.22, turned));
+    let soft = vec3(arrives) + matter.wrap * (0.55 * arrives * (1.0 - arrives));
+    let wrapped = clamp((vec3(turned) + matter.wrap) / (1.0 + matter.wrap), vec3(0.0), vec3(1.0));
+    let key = wrapped * soft * mix(vec3(1.0), open, 0.35);
     let sky = 0.5 + 0.5 * n.y;
     let fill = 0.5 + 0.5 * dot(n, scene.fill.xyz);
     // What is near the ground sees less of the studio.
-    let open = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
-    let light = mix(GROUND, SKY, sky) * open + FILL * (fill * fill * fill * scene.fill.w) + KEY * key;
+    let high = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
+    let around = mix(GROUND, SKY, sky) * high + FILL * (fill * fill * fill * scene.fill.w);
+    let edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
+    let behind = clamp(vec2(dot(n, scene.rim_left.xyz), dot(n, scene.rim_right.xyz)), vec2(0.0), vec2(1.0));
+    let rim = RIM * ((behind.x + 0.7 * behind.y) * exposed.x * exposed.x);
+    let light = around * open + KEY * key + rim;
     let half_way = normalize(scene.key.xyz + v);
-    let g = max(dot(n, half_way), 0.0);
-    let g2 = g * g;
-    let g8 = g2 * g2 * g2 * g2;
-    let gloss = g8 * g8 * g8 * 0.10 * key;
-    let edge = 1.0 - facing;
+    let shine = pow(max(dot(n, half_way), 0.0), matter.narrow) * matter.gloss * clamp(turned * 4.0, 0.0, 1.0);
     let edge3 = edge * edge * edge;
-    let rim = RIM * (edge3 * (0.3 + 0.7 * sky));
-    let select_share = in.marks.x * scene.selected_tint.a;
-    let hover_share = in.marks.y * scene.hovered_tint.a;
-    var albedo = mix(in.color, scene.hovered_tint.rgb, hover_share);
-    albedo = mix(albedo, scene.selected_tint.rgb, select_share);
-    // Marked bones glow a little, so that they are found in the shadow too.
-    let glow = scene.selected_tint.rgb * select_share * (0.06 + 0.6 * edge3)
-        + scene.hovered_tint.rgb * hover_share * (0.05 + 0.3 * edge3);
-    return albedo * light + KEY * gloss + rim + glow;
+    let sheen = RIM * (edge3 * (0.15 + 0.55 * sky) * exposed.x);
+    return albedo * light + KEY * (shine * arrives) + sheen + glow(in.marks, edge);
 }
 
-// A soft shoulder: dark and middle tones stay, highlights approach white and never clip.
+// A soft shoulder: dark and middle tones stay, highlights approach white and never clip. Half of it works on the light
+// and half on each colour, so that bright skin turns pale a little and keeps its hue.
 fn tone(c: vec3<f32>) -> vec3<f32> {
-    let x = max(c, vec3(0.0)) * 1.12;
-    return x * inverseSqrt(1.0 + x * x);
+    let x = max(c, vec3(0.0)) * 0.98;
+    let light = max(dot(x, vec3(0.2126, 0.7152, 0.0722)), 1e-4);
+    let each = x * inverseSqrt(1.0 + x * x);
+    let whole = x * inverseSqrt(1.0 + light * light);
+    return clamp(mix(each, whole, 0.5), vec3(0.0), vec3(1.0));
 }
 
 // sRGB numbers of light in 0 to 1.
@@ -128,32 +170,113 @@ fn encoded(c: vec3<f32>) -> vec3<f32> {
     return select(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3(0.0031308));
 }
 
-fn studio(in: Surface, front: bool) -> vec4<f32> {
-    let n = normalize(select(-in.normal, in.normal, front));
+fn painted(color: vec3<f32>) -> vec4<f32> {
     let opacity = figure.look.x;
-    return vec4(encoded(tone(shade(in, n))) * opacity, opacity);
+    return vec4(color * opacity, opacity);
 }
 
+fn outward(normal: vec3<f32>, front: bool) -> vec3<f32> {
+    return normalize(select(-normal, normal, front));
+}
+
+fn studio(in: Surface, front: bool) -> vec4<f32> {
+    let n = outward(in.normal, front);
+    return painted(encoded(tone(in_studio(in, n, Matter(0.055, 22.0, WRAP)))));
+}
+
+// Grey-brown clay with the broad sheen of something moist.
 fn clay(in: Surface, front: bool) -> vec4<f32> {
     var of_clay = in;
-    of_clay.color = vec3(0.30, 0.24, 0.20);
-    return studio(of_clay, front);
+    let wooden = select(1.0, dot(in.color, vec3(0.9)), colored);
+    of_clay.color = vec3(0.375, 0.295, 0.238) * wooden;
+    let n = outward(in.normal, front);
+    return painted(encoded(tone(in_studio(of_clay, n, Matter(0.075, 9.0, vec3(0.05))))));
 }
 
+// Pale wax whose light comes along with the viewer.
 fn matcap(in: Surface, front: bool) -> vec4<f32> {
-    return studio(in, front);
+    let n = outward(in.normal, front);
+    let v = toward_viewer(in.world);
+    let right = normalize(cross(scene.world_from_view[1].xyz, v));
+    let m = vec3(dot(n, right), dot(n, cross(v, right)), dot(n, v));
+    let exposed = exposure(in, n);
+    let d = dot(m, vec3(-0.41, 0.62, 0.67));
+    let shade = mix(vec3(0.075, 0.052, 0.062), vec3(0.40, 0.285, 0.245), smoothstep(-0.75, 0.42, d));
+    var c = mix(shade, vec3(0.86, 0.79, 0.71), smoothstep(0.12, 1.02, d));
+    // A second, cool light low on the other side, a soft gleam, and light that shines through thin edges.
+    c += vec3(0.10, 0.14, 0.20) * pow(clamp(dot(m, vec3(0.80, -0.36, 0.48)), 0.0, 1.0), 2.2);
+    c += vec3(0.34, 0.33, 0.31) * pow(clamp(dot(m, normalize(vec3(-0.22, 0.40, 0.89))), 0.0, 1.0), 38.0);
+    let edge = 1.0 - clamp(m.z, 0.0, 1.0);
+    c += vec3(0.30, 0.20, 0.17) * (edge * edge * edge * edge);
+    c *= mix(vec3(0.34, 0.22, 0.19), vec3(1.0), exposed.x);
+    c *= select(vec3(1.0), in.color * 1.7, colored);
+    c = mix(c, c * scene.hovered_tint.rgb * 2.2, in.marks.y * scene.hovered_tint.a);
+    c = mix(c, c * scene.selected_tint.rgb * 2.2, in.marks.x * scene.selected_tint.a);
+    return painted(encoded(tone(c * 1.06 + glow(in.marks, edge))));
 }
 
-fn surface_of(in: PartSurface) -> Surface {
-    return Surface(in.clip, in.world, in.normal, in.color, in.marks);
+// A number in 0 to 1 that looks random and is smooth in space.
+fn lattice(p: vec3<f32>) -> f32 {
+    return fract(sin(dot(p, vec3(127.1, 311.7, 74.7))) * 43758.5453);
 }
 
-// Wood in the tone of the part, with a groove along its borders.
+fn cloud(p: vec3<f32>) -> f32 {
+    let cell = floor(p);
+    let f = p - cell;
+    let t = f * f * (3.0 - 2.0 * f);
+    let low = mix(mix(lattice(cell), lattice(cell + vec3(1.0, 0.0, 0.0)), t.x),
+        mix(lattice(cell + vec3(0.0, 1.0, 0.0)), lattice(cell + vec3(1.0, 1.0, 0.0)), t.x), t.y);
+    let high = mix(mix(lattice(cell + vec3(0.0, 0.0, 1.0)), lattice(cell + vec3(1.0, 0.0, 1.0)), t.x),
+        mix(lattice(cell + vec3(0.0, 1.0, 1.0)), lattice(cell + vec3(1.0, 1.0, 1.0)), t.x), t.y);
+    return mix(low, high, t.z);
+}
+
+// Wood in the tone of the part, with grain along it and a turned groove along its borders.
 fn wood(in: PartSurface) -> Surface {
-    var s = surface_of(in);
-    let tone = array<vec3<f32>, 3>(vec3(0.62, 0.42, 0.23), vec3(0.36, 0.20, 0.10), vec3(0.50, 0.31, 0.15));
-    s.color = tone[min(in.part.y, 2u)] * mix(0.25, 1.0, smoothstep(0.001, 0.003, in.border));
+    var s = Surface(in.clip, in.world, in.normal, in.color, in.marks);
+    let tones = array<vec3<f32>, 3>(vec3(0.60, 0.395, 0.215), vec3(0.335, 0.180, 0.088), vec3(0.465, 0.275, 0.135));
+    let grey = tones[min(in.part.y, 2u)];
+    let along = select(in.rest, in.rest.yxz, in.part.z == 1u);
+    let bent = cloud(along * vec3(7.0, 22.0, 22.0));
+    let rings = fract(length(along.yz + vec2(0.11, 0.05)) * 95.0 + bent * 2.2);
+    let grain = smoothstep(0.0, 0.75, rings) * (1.0 - smoothstep(0.75, 1.0, rings));
+    let groove = smoothstep(0.0010, 0.0024, in.border);
+    let bevel = 1.0 + 0.18 * (1.0 - smoothstep(0.0024, 0.0060, in.border));
+    s.color = grey * (0.86 + 0.20 * grain) * mix(0.16, bevel, groove);
     return s;
+}
+
+// One colour for each part of the body, in light and in shade, with a crisp border.
+fn flat_tones(in: PartSurface, front: bool) -> vec4<f32> {
+    let n = outward(in.normal, front);
+    let s = Surface(in.clip, in.world, in.normal, in.color, in.marks);
+    let tones = array<vec3<f32>, 3>(vec3(0.93, 0.71, 0.52), vec3(0.80, 0.49, 0.38), vec3(0.87, 0.60, 0.44));
+    let exposed = exposure(s, n);
+    let turned = dot(n, scene.key.xyz) - 0.06;
+    let crisp = clamp(turned / max(fwidth(turned), 1e-4) + 0.5, 0.0, 1.0);
+    let edge = exposed.y - 0.5;
+    let thrown = clamp(edge / max(fwidth(edge), 1e-2) + 0.5, 0.0, 1.0);
+    // Nothing casts a sharp shadow along the border of the light.
+    let bright = min(crisp, mix(1.0, thrown, smoothstep(0.0, 0.12, turned)));
+    let base = tones[min(in.part.y, 2u)];
+    let dark = base * vec3(0.66, 0.60, 0.68);
+    let groove = mix(0.74, 1.0, smoothstep(0.0006, 0.0018, in.border));
+    var c = mix(dark, base, bright) * groove;
+    c = mix(c, encoded(scene.hovered_tint.rgb) * mix(0.7, 1.0, bright), in.marks.y * scene.hovered_tint.a);
+    c = mix(c, encoded(scene.selected_tint.rgb) * mix(0.7, 1.0, bright), in.marks.x * scene.selected_tint.a);
+    return painted(c);
+}
+
+// White paper with lines: those of the survey, or, without one, the surface where it turns away.
+fn drawing(in: Surface, front: bool) -> vec4<f32> {
+    let n = outward(in.normal, front);
+    let facing = dot(n, toward_viewer(in.world));
+    let turning = clamp((0.30 - facing) * 6.0, 0.0, 1.0);
+    let ink = select(turning, inked(in.clip.xy), occluded);
+    var paper = PAPER;
+    paper = mix(paper, mix(PAPER, encoded(scene.hovered_tint.rgb), 0.75), in.marks.y * scene.hovered_tint.a);
+    paper = mix(paper, mix(PAPER, encoded(scene.selected_tint.rgb), 0.85), in.marks.x * scene.selected_tint.a);
+    return painted(mix(paper, INK, ink));
 }
 
 @fragment
@@ -188,12 +311,12 @@ fn fs_matcap_parts(in: PartSurface, @builtin(front_facing) front: bool) -> @loca
 
 @fragment
 fn fs_line(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return studio(in, front);
+    return drawing(in, front);
 }
 
 @fragment
 fn fs_flat(in: PartSurface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return studio(wood(in), front);
+    return flat_tones(in, front);
 }
 
 // The colour map of PASCAL VOC: twin of `part_color` in parts.rs.
@@ -206,14 +329,14 @@ fn fs_parts(in: PartSurface) -> @location(0) vec4<f32> {
 
 @fragment
 fn fs_depth(in: Surface) -> @location(0) vec4<f32> {
-    let depth = -(scene.view_from_world * vec4(in.world, 1.0)).z;
+    let depth = view_depth(in.world);
     let nearness = (scene.ranges.y - depth) / max(scene.ranges.y - scene.ranges.x, 1e-6);
     return vec4(vec3(clamp(nearness, 0.0, 1.0)), 1.0);
 }
 
 @fragment
 fn fs_normal(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let n = normalize(select(-in.normal, in.normal, front));
+    let n = outward(in.normal, front);
     return vec4((scene.view_from_world * vec4(n, 0.0)).xyz * 0.5 + 0.5, 1.0);
 }
 

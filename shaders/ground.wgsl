@@ -1,4 +1,4 @@
-// The ground plane y = 0: a grid that fades with distance, and the figures' shadow. Follows scene.wgsl.
+// The ground plane y = 0: a grid that fades with distance, and the figures' shadow. Follows scene.wgsl and survey.wgsl.
 
 @group(2) @binding(0) var soft_map: texture_2d<f32>;
 @group(2) @binding(1) var soft_sampler: sampler;
@@ -44,16 +44,30 @@ fn fs_grid(in: Ground) -> @location(0) vec4<f32> {
     return vec4(color * alpha, alpha);
 }
 
+// How far beyond the shadow the ground is darkened by what stands on it, metres.
+const MARGIN_M: f32 = 0.3;
+
+override occluded: bool = false;
+
 struct Shade {
     @builtin(position) clip: vec4<f32>,
+    // In the map of the shadow: 0 to 1 over the footprint.
     @location(0) at: vec2<f32>,
+    @location(1) world: vec3<f32>,
+}
+
+fn around_footprint(index: u32) -> Shade {
+    let size = scene.footprint.zw - scene.footprint.xy;
+    let margin = select(vec2(0.0), MARGIN_M / max(size, vec2(1e-3)), occluded);
+    let at = mix(-margin, 1.0 + margin, corner(index));
+    let spot = mix(scene.footprint.xy, scene.footprint.zw, at);
+    let world = vec3(spot.x, 0.0, spot.y);
+    return Shade(scene.clip_from_world * vec4(world, 1.0), at, world);
 }
 
 @vertex
 fn vs_shade(@builtin(vertex_index) index: u32) -> Shade {
-    let corner = corner(index);
-    let at = mix(scene.footprint.xy, scene.footprint.zw, corner);
-    return Shade(scene.clip_from_world * vec4(at.x, 0.0, at.y, 1.0), corner);
+    return around_footprint(index);
 }
 
 @fragment
@@ -64,5 +78,38 @@ fn fs_shade(in: Shade) -> @location(0) vec4<f32> {
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + step, 0.0).r;
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(step.x, -step.y), 0.0).r;
     lit += textureSampleLevel(soft_map, soft_sampler, in.at + vec2(-step.x, step.y), 0.0).r;
-    return vec4(0.0, 0.0, 0.0, 0.42 * (1.0 - 0.25 * lit));
+    var left = 1.0 - 0.42 * (1.0 - 0.25 * lit);
+    if occluded {
+        let open = surveyed(in.clip.xy, view_depth(in.world)).x;
+        let off = max(abs(in.at - 0.5) - 0.5, vec2(0.0)) * (scene.footprint.zw - scene.footprint.xy);
+        let within = 1.0 - smoothstep(0.5, 0.95, length(off) / MARGIN_M);
+        left *= 1.0 - 0.75 * (1.0 - clamp(open * 1.08, 0.0, 1.0)) * within;
+    }
+    return vec4(0.0, 0.0, 0.0, 1.0 - left);
+}
+
+// The ground around the figures as a survey sees it.
+@vertex
+fn vs_contact(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let size = scene.footprint.zw - scene.footprint.xy;
+    let at = scene.footprint.xy - MARGIN_M + corner(index) * (size + 2.0 * MARGIN_M);
+    return scene.clip_from_world * vec4(at.x, 0.0, at.y, 1.0);
+}
+
+@fragment
+fn fs_contact() -> @location(0) vec4<f32> {
+    return vec4((scene.view_from_world * vec4(0.0, 1.0, 0.0, 0.0)).xyz * 0.5 + 0.5, 1.0);
+}
+
+// The outer half of a drawing's outlines: what of them is beside the figures. Only around the figures.
+@vertex
+fn vs_ink(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let at = mix(scene.silhouette.xy, scene.silhouette.zw, corner(index));
+    return vec4(at, 0.0, 1.0);
+}
+
+@fragment
+fn fs_ink(@builtin(position) clip: vec4<f32>) -> @location(0) vec4<f32> {
+    let ink = inked(clip.xy);
+    return vec4(INK * ink, ink);
 }

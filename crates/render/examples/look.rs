@@ -1,24 +1,33 @@
 //! Writes a picture of the mannequin to standard output, as PAM:
-//! `look VIEW [color|depth|normal|silhouette] [plain] [ghost] [near] [high] [lean] [transparent] > out.pam`.
+//! `look VIEW [depth|normal|silhouette|parts] [clay|matcap|flat|line] [planes] [light] [plain] [ghost] [near] [face]
+//! [high] [lean] [bare] [twice] [large] [transparent] > out.pam`.
 #![allow(clippy::unwrap_used)]
 
 use std::io::Write;
 
 use glam::{Mat4, Vec3};
-use render::{Ball, FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene, Shape};
+use render::{Ball, FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene, Shape, Style};
 use rig::{Bone, Camera, View};
 
 #[path = "../tests/body/mod.rs"]
 mod body;
 
-const SIZE: [u32; 2] = [1280, 800];
 
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let has = |word: &str| args.iter().any(|a| a == word);
     let view: View = args.first().map_or(View::ThreeQuarter, |v| v.parse().unwrap());
-    let passes = [("depth", Pass::Depth), ("normal", Pass::Normal), ("silhouette", Pass::Silhouette)];
+    let passes = [
+        ("depth", Pass::Depth),
+        ("normal", Pass::Normal),
+        ("silhouette", Pass::Silhouette),
+        ("parts", Pass::Parts),
+    ];
+    let styles =
+        [("clay", Style::Clay), ("matcap", Style::Matcap), ("flat", Style::Flat), ("line", Style::Line)];
+    let style = styles.into_iter().find(|(word, _)| has(word)).map_or(Style::Studio, |(_, style)| style);
     let pass = passes.into_iter().find(|(word, _)| has(word)).map_or(Pass::Color, |(_, pass)| pass);
+    let size = if has("large") { [2560, 1600] } else { [1280, 800] };
     let mut renderer = Renderer::new(&Gpu::headless().unwrap());
     let (mesh, palette) = body::mannequin(&body::relaxed());
     renderer.set_mesh(0, &mesh).unwrap();
@@ -31,20 +40,35 @@ fn main() {
     };
     let figures = [if has("plain") { plain } else { marked }, ghost];
     let figures = if has("ghost") { &figures[..] } else { &figures[..1] };
-    let mut camera = Camera::view(view, renderer.bounds(figures), SIZE[0] as f32 / SIZE[1] as f32);
+    let mut camera = Camera::view(view, renderer.bounds(figures), size[0] as f32 / size[1] as f32);
     if has("near") {
         camera.zoom(0.35, Vec3::new(0.1, 1.4, 0.1));
     }
     if has("high") {
         camera.pitch_rad = 0.9;
     }
-    let look = Look { transparent: has("transparent"), ..Look::default() };
+    if has("face") {
+        camera.zoom(0.14, Vec3::new(0.0, 1.62, 0.05));
+    }
+    let look = Look {
+        transparent: has("transparent"),
+        style,
+        joint_planes: has("planes"),
+        grid: !has("bare"),
+        supersampling: if has("twice") { 2 } else { 1 },
+        ..if has("light") { Look::light() } else { Look::default() }
+    };
     let look = if has("lean") { look.lean() } else { look };
     let overlay = if has("plain") { Overlay::default() } else { marks() };
-    let scene = Scene { look, pass, overlay: &overlay, ..Scene::new(figures, camera, SIZE) };
+    let scene = Scene { look, pass, overlay: &overlay, ..Scene::new(figures, camera, size) };
+    let started = std::time::Instant::now();
     let image = renderer.image(&scene).unwrap();
+    eprintln!("{:?} {:?}", started.elapsed(), renderer.stats());
+    let started = std::time::Instant::now();
+    let _ = renderer.image(&scene).unwrap();
+    eprintln!("again {:?} {:?}", started.elapsed(), renderer.stats());
     let mut out = std::io::stdout().lock();
-    let [width, height] = SIZE;
+    let [width, height] = size;
     let head =
         format!("P7\nWIDTH {width}\nHEIGHT {height}\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n");
     out.write_all(head.as_bytes()).unwrap();

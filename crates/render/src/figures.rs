@@ -1,5 +1,6 @@
 //! The figures' uniforms: one buffer for all, chosen by dynamic offset.
 
+use crate::Gpu;
 use crate::scene::FigureView;
 use crate::uniforms::FigureUniform;
 
@@ -8,6 +9,8 @@ use crate::uniforms::FigureUniform;
 pub(crate) struct Figures {
     buffer: wgpu::Buffer,
     pub group: wgpu::BindGroup,
+    /// What the buffer holds.
+    written: Vec<FigureUniform>,
 }
 
 const STRIDE: u64 = size_of::<FigureUniform>() as u64;
@@ -27,24 +30,29 @@ impl Figures {
             layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(binding) }],
         });
-        Figures { buffer, group }
+        Figures { buffer, group, written: Vec::new() }
     }
 
-    /// Uploads the figures, in a larger buffer if need be.
-    pub fn write(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        layout: &wgpu::BindGroupLayout,
-        views: &[FigureView<'_>],
-    ) {
+    /// Uploads the figures that changed, in a larger buffer if need be; returns how many bytes.
+    pub fn write(&mut self, gpu: &Gpu, layout: &wgpu::BindGroupLayout, views: &[FigureView<'_>]) -> usize {
         if self.buffer.size() < STRIDE * views.len() as u64 {
-            *self = Figures::new(device, layout, views.len());
+            *self = Figures::new(&gpu.device, layout, views.len());
         }
-        let uniforms: Vec<FigureUniform> = views.iter().map(FigureUniform::of).collect();
-        if !uniforms.is_empty() {
-            queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&uniforms));
+        let mut bytes = 0;
+        for (i, view) in views.iter().enumerate() {
+            let uniform = FigureUniform::of(view);
+            let same = |known: &FigureUniform| bytemuck::bytes_of(known) == bytemuck::bytes_of(&uniform);
+            if self.written.get(i).is_some_and(same) {
+                continue;
+            }
+            gpu.queue.write_buffer(&self.buffer, STRIDE * i as u64, bytemuck::bytes_of(&uniform));
+            bytes += size_of::<FigureUniform>();
+            match self.written.get_mut(i) {
+                Some(known) => *known = uniform,
+                None => self.written.push(uniform),
+            }
         }
+        bytes
     }
 
     /// The dynamic offset of a figure.

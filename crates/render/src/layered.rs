@@ -56,27 +56,30 @@ pub(crate) struct LayeredBuffer<T> {
     buffer: Option<wgpu::Buffer>,
     /// Where the layers end: none, tested, ghosted, on top.
     ends: [u32; 4],
+    /// What the buffer holds.
+    written: Vec<u8>,
     pieces: PhantomData<T>,
 }
 
 impl<T: Pod> LayeredBuffer<T> {
     /// An empty one.
     pub fn new(label: &'static str) -> LayeredBuffer<T> {
-        LayeredBuffer { label, buffer: None, ends: [0; 4], pieces: PhantomData }
+        LayeredBuffer { label, buffer: None, ends: [0; 4], written: Vec::new(), pieces: PhantomData }
     }
 
-    /// Uploads pieces in place of what was there, in a larger buffer if need be.
-    pub fn write(&mut self, gpu: &Gpu, layered: &Layered<T>) {
+    /// Uploads pieces in place of what was there, unless they are the same, in a larger buffer if need be; returns how many
+    /// bytes.
+    pub fn write(&mut self, gpu: &Gpu, layered: &Layered<T>) -> usize {
         let parts = [&layered.tested, &layered.ghosted, &layered.on_top];
         self.ends = [0; 4];
         for (i, part) in parts.into_iter().enumerate() {
             self.ends[i + 1] = self.ends[i] + u32::try_from(part.len()).unwrap_or(0);
         }
         let all: Vec<T> = parts.into_iter().flatten().copied().collect();
-        if all.is_empty() {
-            return;
-        }
         let bytes: &[u8] = bytemuck::cast_slice(&all);
+        if bytes.is_empty() || self.written == bytes {
+            return 0;
+        }
         let fitting = self.buffer.take().filter(|b| b.size() >= bytes.len() as u64);
         let buffer = fitting.unwrap_or_else(|| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -88,6 +91,9 @@ impl<T: Pod> LayeredBuffer<T> {
         });
         gpu.queue.write_buffer(&buffer, 0, bytes);
         self.buffer = Some(buffer);
+        self.written.clear();
+        self.written.extend_from_slice(bytes);
+        bytes.len()
     }
 
     /// The buffer, and what of it to draw in which way, in order; nothing if there are no pieces.

@@ -11,6 +11,10 @@ pub(crate) struct Layouts {
     pub shadow: wgpu::BindGroupLayout,
     /// A filtered texture: the softened shadow on the ground, or the picture for reference.
     pub soft: wgpu::BindGroupLayout,
+    /// What a survey sees: depth, normals, and the shadow map.
+    pub seen: wgpu::BindGroupLayout,
+    /// What it found.
+    pub found: wgpu::BindGroupLayout,
 }
 
 impl Layouts {
@@ -51,6 +55,8 @@ impl Layouts {
             figure: layout("figure", &[uniform(Some(size_of::<FigureUniform>()))]),
             shadow: layout("shadow", &[fragment(0, shadow_map), fragment(1, compare)]),
             soft: layout("soft shadow", &[fragment(0, soft_map), fragment(1, filter)]),
+            seen: layout("seen", &[fragment(0, shadow_map), fragment(1, soft_map), fragment(2, shadow_map)]),
+            found: layout("found", &[fragment(0, soft_map)]),
         }
     }
 }

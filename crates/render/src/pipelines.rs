@@ -20,6 +20,9 @@ pub(crate) struct Pipelines {
     ground: wgpu::ShaderModule,
     overlay: wgpu::ShaderModule,
     surfaces: wgpu::ShaderModule,
+    occlusion: wgpu::ShaderModule,
+    smooth: wgpu::ShaderModule,
+    trace: wgpu::ShaderModule,
     made: HashMap<(Draw, Msaa), wgpu::RenderPipeline>,
 }
 
@@ -41,6 +44,9 @@ impl Pipelines {
             ground: module("ground", shaders::GROUND),
             overlay: module("overlay", shaders::OVERLAY),
             surfaces: module("surfaces", shaders::SURFACES),
+            occlusion: module("occlusion", shaders::OCCLUSION),
+            smooth: module("smooth", shaders::SMOOTH),
+            trace: module("trace", shaders::TRACE),
             made: HashMap::new(),
         }
     }
@@ -68,16 +74,21 @@ impl Pipelines {
             Source::Ground => &self.ground,
             Source::Overlay => &self.overlay,
             Source::Surfaces => &self.surfaces,
+            Source::Occlusion => &self.occlusion,
+            Source::Smooth => &self.smooth,
+            Source::Trace => &self.trace,
         }
     }
 
     fn layout(&self, device: &wgpu::Device, groups: Groups) -> wgpu::PipelineLayout {
-        let Layouts { scene, figure, shadow, soft } = &self.layouts;
+        let Layouts { scene, figure, shadow, soft, seen, found } = &self.layouts;
         let all = match groups {
-            Groups::Scene => [Some(scene), None, None],
-            Groups::Figure => [Some(scene), Some(figure), None],
-            Groups::Lit => [Some(scene), Some(figure), Some(shadow)],
-            Groups::Soft => [Some(scene), None, Some(soft)],
+            Groups::Scene => [Some(scene), None, None, None],
+            Groups::Figure => [Some(scene), Some(figure), None, None],
+            Groups::Lit => [Some(scene), Some(figure), Some(shadow), Some(found)],
+            Groups::Soft => [Some(scene), None, Some(soft), Some(found)],
+            Groups::Seen => [Some(scene), None, Some(seen), None],
+            Groups::Rough => [Some(scene), None, Some(found), None],
         };
         let used = all.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
         device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {

@@ -27,8 +27,18 @@ pub(crate) enum Draw {
     Image,
     /// The grid on the ground.
     Grid,
-    /// The figures' shadow on the ground.
-    Shade,
+    /// The figures' shadow on the ground, with or without what a survey found there.
+    Shade { occluded: bool },
+    /// The ground around the figures in a survey.
+    Contact,
+    /// Openness and key light of what a survey shows.
+    Openness,
+    /// The same, smooth.
+    Smooth,
+    /// Lines of what a survey shows.
+    Trace,
+    /// The outer half of a drawing's outlines.
+    Ink,
     /// Lines and points: seen, hidden or both.
     Strokes(Seen),
     /// Translucent balls.
@@ -47,18 +57,28 @@ pub(crate) struct Paint {
     pub shadowed: bool,
     /// Some of its bones are selected or hovered.
     pub marked: bool,
+    /// A survey tells how open and lit it is, or where its lines are.
+    pub occluded: bool,
 }
 
 impl Paint {
+    /// View-space normals.
+    pub const NORMAL: Paint = Paint::plain("fs_normal");
+
     /// That fragment shader and nothing else.
     pub const fn plain(fragment: &'static str) -> Paint {
-        Paint { fragment, parts: false, shadowed: false, marked: false }
+        Paint { fragment, parts: false, shadowed: false, marked: false, occluded: false }
     }
 
     /// Values for figure.wgsl's overrides.
     fn constants(self) -> Vec<(&'static str, f64)> {
-        let flag = |on: bool| f64::from(u8::from(on));
-        vec![("shadowed", flag(self.shadowed)), ("marked", flag(self.marked))]
+        let flags = [
+            ("shadowed", self.shadowed),
+            ("marked", self.marked),
+            ("occluded", self.occluded),
+            ("colored", self.parts),
+        ];
+        flags.map(|(name, on)| (name, f64::from(u8::from(on)))).to_vec()
     }
 }
 
@@ -84,6 +104,9 @@ pub(crate) enum Source {
     Ground,
     Overlay,
     Surfaces,
+    Occlusion,
+    Smooth,
+    Trace,
 }
 
 /// Which bind groups a draw reads; each has the scene's.
@@ -93,8 +116,12 @@ pub(crate) enum Groups {
     Figure,
     /// Figure and shadow map.
     Lit,
-    /// A filtered texture: the soft shadow, or the picture for reference.
+    /// A filtered texture: the soft shadow, or the picture for reference; and what a survey found.
     Soft,
+    /// What a survey sees.
+    Seen,
+    /// What a survey found, before it is smooth.
+    Rough,
 }
 
 /// What a draw does with depth.
@@ -192,14 +219,27 @@ impl Recipe {
             },
             Draw::Ghost { two_sided } => Recipe::skinned(Paint::plain("fs_nothing"), two_sided, Less, msaa),
             Draw::Figure { paint, two_sided } => Recipe::skinned(paint, two_sided, LessEqual, msaa),
-            Draw::Backdrop => Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop"),
+            Draw::Backdrop => {
+                Recipe { strip: false, ..Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop") }
+            }
             Draw::Image => {
                 Recipe { groups: Groups::Soft, ..Recipe::surroundings(Source::Image, "vs_image", "fs_image") }
             }
             Draw::Grid => Recipe::surroundings(Ground, "vs_grid", "fs_grid"),
-            Draw::Shade => {
-                Recipe { groups: Groups::Soft, ..Recipe::surroundings(Ground, "vs_shade", "fs_shade") }
-            }
+            Draw::Shade { occluded } => Recipe {
+                groups: Groups::Soft,
+                constants: vec![("occluded", f64::from(u8::from(occluded)))],
+                ..Recipe::surroundings(Ground, "vs_shade", "fs_shade")
+            },
+            Draw::Ink => Recipe { groups: Groups::Soft, ..Recipe::surroundings(Ground, "vs_ink", "fs_ink") },
+            Draw::Contact => Recipe {
+                depth: Some(DepthRule { write: true, compare: Less, slope_bias: 0.0 }),
+                blend: None,
+                ..Recipe::surroundings(Ground, "vs_contact", "fs_contact")
+            },
+            Draw::Openness => Recipe::seen(Source::Occlusion, "fs_occlusion", Groups::Seen),
+            Draw::Smooth => Recipe::seen(Source::Smooth, "fs_smooth", Groups::Rough),
+            Draw::Trace => Recipe::seen(Source::Trace, "fs_trace", Groups::Seen),
             Draw::Strokes(seen) => Recipe::marks(seen, msaa, ["vs_stroke", "fs_stroke", "fs_hidden"]),
             Draw::Balls(seen) => Recipe {
                 source: Source::Surfaces,
@@ -247,6 +287,16 @@ impl Recipe {
             depth: None,
             blend: Some(UNDER),
             constants: Vec::new(),
+        }
+    }
+
+    /// Over a survey, where its depth shows something.
+    fn seen(source: Source, fragment: &'static str, groups: Groups) -> Recipe {
+        Recipe {
+            groups,
+            depth: Some(DepthRule { write: false, compare: Greater, slope_bias: 0.0 }),
+            blend: None,
+            ..Recipe::surroundings(source, "vs_everywhere", fragment)
         }
     }
 

@@ -1,7 +1,7 @@
 //! The renderer: keeps what lives on the device and records one picture after another.
 
 use std::collections::HashMap;
-use std::ops::Range;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
 use glam::Vec3;
 use rig::{Bounds, Mesh};
@@ -13,14 +13,18 @@ use crate::figures::Figures;
 use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
 use crate::overlay::{self, Layer, Overlay, Stroke};
+use crate::paints::{is_solid, paint_of};
 use crate::pipelines::Pipelines;
 use crate::recipe::{Draw, Paint};
-use crate::scene::{FigureView, Pass, Scene, Style};
+use crate::scene::{FigureView, Msaa, Pass, Scene, Style};
+use crate::scene_buffer::SceneBuffer;
 use crate::shadow::ShadowMaps;
-use crate::surfaces::{self, BALL_VERTICES, Corner, Shell};
+use crate::stats::{Counters, Stats};
+use crate::surfaces::{self, Corner, Shell};
+use crate::survey::{self, Search, Survey};
 use crate::target::{Target, TargetKey};
 use crate::tile::Tile;
-use crate::uniforms::SceneUniform;
+use crate::uniforms::{FigureUniform, SceneUniform};
 use crate::{DrawError, Gpu, Image, openpose};
 
 /// Draws scenes into its own texture.
@@ -28,18 +32,26 @@ use crate::{DrawError, Gpu, Image, openpose};
 /// Meshes are uploaded once by [`Renderer::set_mesh`]; a picture then uploads only palettes, camera and marks.
 #[derive(Debug)]
 pub struct Renderer {
-    gpu: Gpu,
-    pipelines: Pipelines,
-    bodies: HashMap<usize, Body>,
-    scene_buffer: wgpu::Buffer,
-    scene_group: wgpu::BindGroup,
-    figures: Figures,
-    shadow: ShadowMaps,
-    backdrop: Option<BackdropImage>,
-    balls: LayeredBuffer<Shell>,
-    fans: LayeredBuffer<Corner>,
-    strokes: LayeredBuffer<Stroke>,
-    target: Option<Target>,
+    pub(crate) gpu: Gpu,
+    pub(crate) pipelines: Pipelines,
+    pub(crate) bodies: HashMap<usize, Body>,
+    /// How many skins were set so far: tells whether what was drawn from them still holds.
+    skins_set: u64,
+    pub(crate) scene_buffer: SceneBuffer,
+    pub(crate) figures: Figures,
+    pub(crate) shadow: ShadowMaps,
+    /// What the shadow maps show.
+    shadow_key: Option<u64>,
+    pub(crate) survey: Option<Survey>,
+    pub(crate) survey_buffer: SceneBuffer,
+    /// What the survey shows.
+    survey_key: Option<u64>,
+    pub(crate) backdrop: Option<BackdropImage>,
+    pub(crate) balls: LayeredBuffer<Shell>,
+    pub(crate) fans: LayeredBuffer<Corner>,
+    pub(crate) strokes: LayeredBuffer<Stroke>,
+    pub(crate) target: Option<Target>,
+    pub(crate) counters: Counters,
     piece_edge: u32,
 }
 
@@ -48,20 +60,15 @@ impl Renderer {
     pub fn new(gpu: &Gpu) -> Renderer {
         let device = &gpu.device;
         let pipelines = Pipelines::new(device);
-        let scene_buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("scene"),
-            size: size_of::<SceneUniform>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let scene_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("scene"),
-            layout: &pipelines.layouts.scene,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: scene_buffer.as_entire_binding() }],
-        });
+        let layouts = &pipelines.layouts;
         Renderer {
-            figures: Figures::new(device, &pipelines.layouts.figure, 1),
-            shadow: ShadowMaps::new(device, &pipelines.layouts),
+            figures: Figures::new(device, &layouts.figure, 1),
+            shadow: ShadowMaps::new(device, layouts),
+            shadow_key: None,
+            scene_buffer: SceneBuffer::new(device, layouts),
+            survey: None,
+            survey_buffer: SceneBuffer::new(device, layouts),
+            survey_key: None,
             backdrop: None,
             balls: LayeredBuffer::new("balls"),
             fans: LayeredBuffer::new("fans"),
@@ -69,9 +76,9 @@ impl Renderer {
             gpu: gpu.clone(),
             pipelines,
             bodies: HashMap::new(),
-            scene_buffer,
-            scene_group,
+            skins_set: 0,
             target: None,
+            counters: Counters::default(),
             piece_edge: PIECE_EDGE.min(gpu.max_edge()),
         }
     }
@@ -90,6 +97,7 @@ impl Renderer {
             return Err(DrawError::Mesh(fault));
         }
         self.bodies.insert(slot, Body::upload(&self.gpu.device, mesh));
+        self.skins_set += 1;
         Ok(())
     }
 
@@ -137,14 +145,25 @@ impl Renderer {
         scene: &Scene<'_>,
         tile: Tile,
     ) -> Result<&wgpu::TextureView, DrawError> {
+        self.counters.reset();
         self.prepare_target(TargetKey::of(scene.pass, tile.size, scene.look.msaa));
-        self.upload(scene, tile);
+        let light = self.light(scene);
+        self.upload(scene, tile, &light);
         self.prepare_pipelines(scene);
-        if self.casts_shadow(scene) {
-            self.record_shadow(encoder, scene);
+        let shadow_key = light.casts.then(|| self.shadow_key(scene, &light));
+        if light.casts {
+            self.keep_shadow(encoder, scene, shadow_key);
+        }
+        if let Some(search) = survey::search_of(scene) {
+            self.keep_survey(encoder, scene, tile.whole, search, &light, shadow_key);
         }
         self.record_picture(encoder, scene);
         self.picture_view().ok_or_else(|| DrawError::Driver("the picture's texture is gone".to_owned()))
+    }
+
+    /// What the last picture cost.
+    pub fn stats(&self) -> Stats {
+        self.counters.stats()
     }
 
     /// Sets the longest edge of the pieces in which [`Renderer::image`] and [`Renderer::bands`] draw a large picture,
@@ -197,24 +216,89 @@ impl Renderer {
         )
     }
 
-    fn casts_shadow(&self, scene: &Scene<'_>) -> bool {
-        scene.pass == Pass::Color && scene.look.shadow && scene.figures.iter().any(is_solid)
+    pub(crate) fn casts_shadow(&self, scene: &Scene<'_>) -> bool {
+        let look = &scene.look;
+        let seen = look.style != Style::Line && (look.style != Style::Matcap || look.ground_shadow);
+        scene.pass == Pass::Color && look.shadow && seen && scene.figures.iter().any(is_solid)
     }
 
-    /// Writes all that changes from picture to picture.
-    fn upload(&mut self, scene: &Scene<'_>, tile: Tile) {
-        let Gpu { device, queue, .. } = &self.gpu;
+    fn light(&self, scene: &Scene<'_>) -> Light {
         let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
         let casters: Vec<Vec3> = self.corners(&solid).collect();
-        let light = Light::fit(scene.look.key_light, &casters, self.casts_shadow(scene));
+        let casts = self.casts_shadow(scene);
+        Light::fit(scene.look.key_light, &casters, casts)
+    }
+
+    fn uniform(&self, scene: &Scene<'_>, tile: Tile, light: &Light) -> SceneUniform {
         let view = scene.camera.view_from_world();
         let depths = self.corners(scene.figures).map(|c| -view.transform_point3(c).z);
         let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
-        let uniform = SceneUniform::of(scene, tile, &light, range);
+        let solid = scene.figures.iter().filter(|view| is_solid(view));
+        let solid: Vec<FigureView<'_>> = solid.copied().collect();
+        SceneUniform::of(scene, tile, light, range).with_silhouette(self.corners(&solid))
+    }
+
+    /// Writes all that changed since the last picture.
+    fn upload(&mut self, scene: &Scene<'_>, tile: Tile, light: &Light) {
+        let uniform = self.uniform(scene, tile, light);
         let uniform = if scene.pass == Pass::OpenPose { uniform.flat(tile) } else { uniform };
-        queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&uniform));
-        self.figures.write(device, queue, &self.pipelines.layouts.figure, scene.figures);
+        self.counters.upload(self.scene_buffer.write(&self.gpu, &uniform));
+        let layout = &self.pipelines.layouts.figure;
+        self.counters.upload(self.figures.write(&self.gpu, layout, scene.figures));
         self.upload_marks(scene, tile.whole);
+    }
+
+    /// What the shadow maps depend on.
+    fn shadow_key(&self, scene: &Scene<'_>, light: &Light) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.skins_set.hash(&mut hasher);
+        light.shadow_from_world.to_cols_array().map(f32::to_bits).hash(&mut hasher);
+        light.footprint.map(f32::to_bits).hash(&mut hasher);
+        light.size.hash(&mut hasher);
+        for view in scene.figures.iter().filter(|view| is_solid(view)) {
+            (view.skin, view.two_sided).hash(&mut hasher);
+            let unmarked = FigureView { selected: &[], hovered: &[], ..*view };
+            bytemuck::bytes_of(&FigureUniform::of(&unmarked)).hash(&mut hasher);
+        }
+        hasher.finish()
+    }
+
+    /// Draws the shadow maps, unless they show that already.
+    fn keep_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>, key: Option<u64>) {
+        if self.shadow_key == key {
+            return self.counters.kept(2);
+        }
+        self.record_shadow(encoder, scene);
+        self.shadow_key = key;
+    }
+
+    /// Surveys the whole picture, unless that has been done.
+    fn keep_survey(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene<'_>,
+        whole: [u32; 2],
+        search: Search,
+        light: &Light,
+        shadow_key: Option<u64>,
+    ) {
+        let tile = survey::tile_of(search, whole);
+        let uniform = self.uniform(scene, tile, light);
+        let mut hasher = DefaultHasher::new();
+        (search, shadow_key.unwrap_or_else(|| self.shadow_key(scene, light))).hash(&mut hasher);
+        bytemuck::bytes_of(&uniform.without_tints()).hash(&mut hasher);
+        let key = Some(hasher.finish());
+        if self.survey_key == key {
+            return self.counters.kept(3);
+        }
+        if self.survey.as_ref().is_none_or(|survey| survey.size != tile.size) {
+            self.survey = None;
+            let layouts = &self.pipelines.layouts;
+            self.survey = Some(Survey::new(&self.gpu.device, layouts, &self.shadow.depth, tile.size));
+        }
+        self.counters.upload(self.survey_buffer.write(&self.gpu, &uniform));
+        self.record_survey(encoder, scene, search);
+        self.survey_key = key;
     }
 
     fn upload_marks(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
@@ -224,25 +308,24 @@ impl Renderer {
             _ => Layered::default(),
         };
         let seen = if scene.pass == Pass::Color { scene.overlay } else { &Overlay::EMPTY };
-        self.balls.write(&self.gpu, &surfaces::shells(seen));
-        self.fans.write(&self.gpu, &surfaces::corners(seen));
-        self.strokes.write(&self.gpu, &strokes);
+        self.counters.upload(self.balls.write(&self.gpu, &surfaces::shells(seen)));
+        self.counters.upload(self.fans.write(&self.gpu, &surfaces::corners(seen)));
+        self.counters.upload(self.strokes.write(&self.gpu, &strokes));
     }
 
     fn prepare_pipelines(&mut self, scene: &Scene<'_>) {
         let Some(msaa) = self.target.as_ref().map(|t| t.key.msaa) else { return };
-        let mut draws = match scene.pass {
-            Pass::Color => vec![Draw::Soften, Draw::Backdrop, Draw::Image, Draw::Grid, Draw::Shade],
-            _ => Vec::new(),
-        };
+        let mut draws = Vec::new();
         draws.extend(self.balls.draws().map(|(_, seen, _)| Draw::Balls(seen)));
         draws.extend(self.fans.draws().map(|(_, seen, _)| Draw::Fans(seen)));
         draws.extend(self.strokes.draws().map(|(_, seen, _)| Draw::Strokes(seen)));
         for view in scene.figures {
             let two_sided = view.two_sided;
             let Some(paint) = paint_of(scene, view) else { continue };
-            let other = if is_solid(view) { Draw::Shadow { two_sided } } else { Draw::Ghost { two_sided } };
-            draws.extend([Draw::Figure { paint, two_sided }, other]);
+            draws.push(Draw::Figure { paint, two_sided });
+            if !is_solid(view) {
+                draws.push(Draw::Ghost { two_sided });
+            }
             if let Some(body) = self.bodies.get_mut(&view.skin).filter(|_| paint.parts) {
                 body.cut(&self.gpu.device);
             }
@@ -250,211 +333,29 @@ impl Renderer {
         for draw in draws {
             self.pipelines.prepare(&self.gpu.device, draw, msaa);
         }
+        self.prepare_helpers(scene);
     }
 
-    fn record_shadow(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("shadow"),
-            depth_stencil_attachment: Some(depth_attachment(&self.shadow.depth, wgpu::StoreOp::Store)),
-            ..wgpu::RenderPassDescriptor::default()
-        });
-        pass.set_bind_group(0, &self.scene_group, &[]);
-        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| is_solid(v)) {
-            self.draw_skin(&mut pass, Draw::Shadow { two_sided: view.two_sided }, i, view);
-        }
-        drop(pass);
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("soft shadow"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.shadow.soft,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations::default(),
-            })],
-            ..wgpu::RenderPassDescriptor::default()
-        });
-        pass.set_bind_group(0, &self.scene_group, &[]);
-        pass.set_bind_group(1, &self.figures.group, &[0]);
-        pass.set_bind_group(2, &self.shadow.depth_group, &[]);
-        if self.set_pipeline(&mut pass, Draw::Soften) {
-            pass.draw(0..4, 0..1);
-        }
-    }
-
-    fn record_picture(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
-        let Some(target) = &self.target else { return };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("picture"),
-            color_attachments: &[Some(target.color(clear_of(scene)))],
-            depth_stencil_attachment: Some(depth_attachment(&target.depth, wgpu::StoreOp::Discard)),
-            ..wgpu::RenderPassDescriptor::default()
-        });
-        pass.set_bind_group(0, &self.scene_group, &[]);
-        pass.set_bind_group(1, &self.figures.group, &[0]);
-        self.draw_figures(&mut pass, scene, is_solid);
-        self.draw_figures(&mut pass, scene, |view| !is_solid(view));
-        self.draw_marks(&mut pass);
-        drop(pass);
+    /// What shadow, survey and surroundings draw with, one sample a pixel.
+    fn prepare_helpers(&mut self, scene: &Scene<'_>) {
+        let occluded = survey::search_of(scene).is_some();
+        let mut draws = Vec::new();
         if scene.pass == Pass::Color {
-            self.record_surroundings(encoder, target, scene);
+            draws = vec![Draw::Ink, Draw::Backdrop, Draw::Image, Draw::Grid, Draw::Shade { occluded }];
         }
-    }
-
-    /// Grid, shadow and background, put under the resolved figures: nothing of theirs needs samples or depth.
-    fn record_surroundings(&self, encoder: &mut wgpu::CommandEncoder, target: &Target, scene: &Scene<'_>) {
-        let above = scene.camera.eye().y > 0.0;
-        let opaque = !scene.look.transparent;
-        let soft = &self.shadow.soft_group;
-        let image = self.backdrop.as_ref().filter(|_| opaque && scene.look.backdrop_opacity > 0.0);
-        let wanted = [
-            (Draw::Grid, (scene.look.grid && opaque).then_some(soft)),
-            (Draw::Shade, (above && scene.look.ground_shadow && self.casts_shadow(scene)).then_some(soft)),
-            (Draw::Image, image.map(|image| &image.group)),
-            (Draw::Backdrop, opaque.then_some(soft)),
-        ];
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("surroundings"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &target.view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
-            })],
-            ..wgpu::RenderPassDescriptor::default()
-        });
-        pass.set_bind_group(0, &self.scene_group, &[]);
-        for (draw, texture) in wanted.into_iter().filter_map(|(draw, group)| Some((draw, group?))) {
-            pass.set_bind_group(2, texture, &[]);
-            if self.set_pipeline(&mut pass, draw) {
-                pass.draw(0..4, 0..1);
+        for two_sided in scene.figures.iter().filter(|view| is_solid(view)).map(|view| view.two_sided) {
+            if self.casts_shadow(scene) {
+                draws.extend([Draw::Shadow { two_sided }, Draw::Soften]);
             }
+            draws.push(Draw::Figure { paint: Paint::NORMAL, two_sided });
         }
-    }
-
-    fn draw_figures(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        scene: &Scene<'_>,
-        chosen: impl Fn(&FigureView<'_>) -> bool,
-    ) {
-        pass.set_bind_group(2, &self.shadow.depth_group, &[]);
-        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| chosen(v)) {
-            let two_sided = view.two_sided;
-            let Some(paint) = paint_of(scene, view) else { continue };
-            if !is_solid(view) {
-                self.draw_skin(pass, Draw::Ghost { two_sided }, i, view);
-            }
-            self.draw_skin(pass, Draw::Figure { paint, two_sided }, i, view);
+        match survey::search_of(scene) {
+            Some(Search::Openness) => draws.extend([Draw::Contact, Draw::Openness, Draw::Smooth]),
+            Some(Search::Lines) => draws.push(Draw::Trace),
+            None => draws.retain(|draw| !matches!(draw, Draw::Figure { .. })),
         }
-    }
-
-    /// Surfaces below lines and points.
-    fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
-        for (buffer, seen, range) in self.balls.draws() {
-            self.draw_buffer(pass, Draw::Balls(seen), buffer, 0..BALL_VERTICES, range);
+        for draw in draws {
+            self.pipelines.prepare(&self.gpu.device, draw, Msaa::One);
         }
-        for (buffer, seen, range) in self.fans.draws() {
-            self.draw_buffer(pass, Draw::Fans(seen), buffer, range, 0..1);
-        }
-        for (buffer, seen, range) in self.strokes.draws() {
-            self.draw_buffer(pass, Draw::Strokes(seen), buffer, 0..4, range);
-        }
-    }
-
-    fn draw_buffer(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        draw: Draw,
-        buffer: &wgpu::Buffer,
-        vertices: Range<u32>,
-        instances: Range<u32>,
-    ) {
-        if self.set_pipeline(pass, draw) {
-            pass.set_vertex_buffer(0, buffer.slice(..));
-            pass.draw(vertices, instances);
-        }
-    }
-
-    fn draw_skin(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw, figure: usize, view: &FigureView<'_>) {
-        let Some(body) = self.bodies.get(&view.skin) else { return };
-        let parts = match draw {
-            Draw::Figure { paint, .. } if paint.parts => Some(&body.parts),
-            _ => None,
-        };
-        let skin = parts.and_then(Option::as_ref).map_or(&body.skin, |parts| &parts.skin);
-        // An empty skin has no buffers to bind.
-        if skin.index_count > 0 && self.set_pipeline(pass, draw) {
-            pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
-            pass.set_vertex_buffer(0, skin.vertices.slice(..));
-            if !matches!(draw, Draw::Shadow { .. }) {
-                pass.set_vertex_buffer(1, skin.surface.slice(..));
-            }
-            if let Some(Some(parts)) = parts {
-                pass.set_vertex_buffer(2, parts.vertices.slice(..));
-            }
-            pass.set_index_buffer(skin.indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..skin.index_count, 0, 0..1);
-        }
-    }
-
-    fn set_pipeline(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw) -> bool {
-        let pipeline = self.target.as_ref().and_then(|t| self.pipelines.get(draw, t.key.msaa));
-        if let Some(pipeline) = pipeline {
-            pass.set_pipeline(pipeline);
-        }
-        pipeline.is_some()
-    }
-}
-
-fn is_solid(view: &FigureView<'_>) -> bool {
-    view.opacity >= 1.0
-}
-
-/// How a pass paints a figure; `None` if figures aren't in it.
-fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint> {
-    match scene.pass {
-        Pass::Color => {
-            let (fragment, parts) = fragment_of(scene.look.style, scene.look.joint_planes);
-            let marked = !(view.selected.is_empty() && view.hovered.is_empty());
-            Some(Paint { fragment, parts, shadowed: scene.look.shadow && is_solid(view), marked })
-        }
-        Pass::Depth => Some(Paint::plain("fs_depth")),
-        Pass::Normal => Some(Paint::plain("fs_normal")),
-        Pass::Silhouette => Some(Paint::plain("fs_silhouette")),
-        Pass::Parts => Some(Paint { parts: true, ..Paint::plain("fs_parts") }),
-        Pass::OpenPose => None,
-    }
-}
-
-/// The style's shader, and whether it needs a skin cut into parts.
-fn fragment_of(style: Style, joint_planes: bool) -> (&'static str, bool) {
-    match (style, joint_planes) {
-        (Style::Studio, false) => ("fs_studio", false),
-        (Style::Studio, true) => ("fs_studio_parts", true),
-        (Style::Clay, false) => ("fs_clay", false),
-        (Style::Clay, true) => ("fs_clay_parts", true),
-        (Style::Matcap, false) => ("fs_matcap", false),
-        (Style::Matcap, true) => ("fs_matcap_parts", true),
-        (Style::Flat, _) => ("fs_flat", true),
-        (Style::Line, _) => ("fs_line", false),
-    }
-}
-
-fn clear_of(scene: &Scene<'_>) -> wgpu::Color {
-    match scene.pass {
-        Pass::Color => wgpu::Color::TRANSPARENT,
-        Pass::Normal => wgpu::Color { r: 128.0 / 255.0, g: 128.0 / 255.0, b: 1.0, a: 1.0 },
-        Pass::Depth | Pass::Silhouette | Pass::Parts | Pass::OpenPose => wgpu::Color::BLACK,
-    }
-}
-
-fn depth_attachment(
-    view: &wgpu::TextureView,
-    store: wgpu::StoreOp,
-) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    wgpu::RenderPassDepthStencilAttachment {
-        view,
-        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store }),
-        stencil_ops: None,
     }
 }

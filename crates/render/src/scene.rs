@@ -202,7 +202,7 @@ impl Default for Look {
             msaa: Msaa::Four,
             supersampling: 1,
             scale: 1.0,
-            key_light: Vec3::new(-0.5, 1.05, 0.8),
+            key_light: Vec3::new(-0.72, 1.0, 0.66),
             selected: [255, 128, 30, 190],
             hovered: [255, 184, 96, 110],
         }

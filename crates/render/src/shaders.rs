@@ -3,6 +3,7 @@
 /// The figure in every pass.
 pub(crate) const FIGURE: &str = concat!(
     include_str!("../../../shaders/scene.wgsl"),
+    include_str!("../../../shaders/survey.wgsl"),
     include_str!("../../../shaders/skin.wgsl"),
     include_str!("../../../shaders/figure.wgsl")
 );
@@ -22,8 +23,20 @@ pub(crate) const BACKDROP: &str =
 pub(crate) const IMAGE: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/image.wgsl"));
 /// Grid and shadow on the ground.
-pub(crate) const GROUND: &str =
-    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/ground.wgsl"));
+pub(crate) const GROUND: &str = concat!(
+    include_str!("../../../shaders/scene.wgsl"),
+    include_str!("../../../shaders/survey.wgsl"),
+    include_str!("../../../shaders/ground.wgsl")
+);
+/// How open and how lit places are.
+pub(crate) const OCCLUSION: &str =
+    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/occlusion.wgsl"));
+/// The same, smooth.
+pub(crate) const SMOOTH: &str =
+    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/smooth.wgsl"));
+/// The lines of a drawing.
+pub(crate) const TRACE: &str =
+    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/trace.wgsl"));
 /// Lines and points.
 pub(crate) const OVERLAY: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/overlay.wgsl"));
@@ -38,7 +51,7 @@ mod tests {
     use wgpu::naga;
 
     /// Every source, so that a file that no picture happens to use is still checked.
-    const ALL: [(&str, &str); 9] = [
+    const ALL: [(&str, &str); 12] = [
         ("figure", super::FIGURE),
         ("shadow", super::SHADOW),
         ("soften", super::SOFTEN),
@@ -47,6 +60,9 @@ mod tests {
         ("ground", super::GROUND),
         ("overlay", super::OVERLAY),
         ("surfaces", super::SURFACES),
+        ("occlusion", super::OCCLUSION),
+        ("smooth", super::SMOOTH),
+        ("trace", super::TRACE),
         ("blit", super::BLIT),
     ];
 

@@ -18,6 +18,10 @@ pub(crate) struct ShadowMaps {
     /// Light on the ground.
     pub soft: wgpu::TextureView,
     pub soft_group: wgpu::BindGroup,
+    /// Edge of [`ShadowMaps::soft`], texels.
+    pub soft_size: u32,
+    /// For what reads a survey where there is none.
+    pub nothing_group: wgpu::BindGroup,
 }
 
 impl ShadowMaps {
@@ -28,6 +32,8 @@ impl ShadowMaps {
         ShadowMaps {
             depth_group: group(device, &layouts.shadow, &depth, compare),
             soft_group: group(device, &layouts.soft, &soft, None),
+            nothing_group: nothing(device, layouts),
+            soft_size: SOFT_SIZE,
             depth,
             soft,
         }
@@ -46,6 +52,15 @@ fn map(device: &wgpu::Device, label: &str, size: u32, format: wgpu::TextureForma
         view_formats: &[],
     });
     texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn nothing(device: &wgpu::Device, layouts: &Layouts) -> wgpu::BindGroup {
+    let view = map(device, "nothing", 1, SOFT_FORMAT);
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("nothing"),
+        layout: &layouts.found,
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) }],
+    })
 }
 
 fn group(

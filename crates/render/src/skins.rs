@@ -149,7 +149,7 @@ mod tests {
         let device = &gpu.device;
         let layouts = Layouts::new(device);
         let mut figures = Figures::new(device, &layouts.figure, 1);
-        figures.write(device, &gpu.queue, &layouts.figure, std::slice::from_ref(view));
+        figures.write(gpu, &layouts.figure, std::slice::from_ref(view));
         let source = format!("{}{PROBE}", shaders::SHADOW);
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("probe"),

@@ -1,0 +1,46 @@
+//! Which shader draws a figure in a pass and a style.
+
+use crate::recipe::Paint;
+use crate::scene::{FigureView, Pass, Scene, Style};
+use crate::survey::search_of;
+
+/// Whether a figure hides what is behind it and casts a shadow.
+pub(crate) fn is_solid(view: &FigureView<'_>) -> bool {
+    view.opacity >= 1.0
+}
+
+/// How a pass paints a figure; `None` if figures aren't in it.
+pub(crate) fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint> {
+    match scene.pass {
+        Pass::Color => {
+            let look = &scene.look;
+            let (fragment, parts) = fragment_of(look.style, look.joint_planes);
+            Some(Paint {
+                fragment,
+                parts,
+                shadowed: look.shadow && is_solid(view),
+                marked: !(view.selected.is_empty() && view.hovered.is_empty()),
+                occluded: is_solid(view) && search_of(scene).is_some(),
+            })
+        }
+        Pass::Depth => Some(Paint::plain("fs_depth")),
+        Pass::Normal => Some(Paint::plain("fs_normal")),
+        Pass::Silhouette => Some(Paint::plain("fs_silhouette")),
+        Pass::Parts => Some(Paint { parts: true, ..Paint::plain("fs_parts") }),
+        Pass::OpenPose => None,
+    }
+}
+
+/// The style's shader, and whether it needs a skin cut into parts.
+fn fragment_of(style: Style, joint_planes: bool) -> (&'static str, bool) {
+    match (style, joint_planes) {
+        (Style::Studio, false) => ("fs_studio", false),
+        (Style::Studio, true) => ("fs_studio_parts", true),
+        (Style::Clay, false) => ("fs_clay", false),
+        (Style::Clay, true) => ("fs_clay_parts", true),
+        (Style::Matcap, false) => ("fs_matcap", false),
+        (Style::Matcap, true) => ("fs_matcap_parts", true),
+        (Style::Flat, _) => ("fs_flat", true),
+        (Style::Line, _) => ("fs_line", false),
+    }
+}
