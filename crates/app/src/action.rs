@@ -82,7 +82,7 @@ actions! {
         Open: "Open…", "Opens a pose file.", ["Ctrl+O"];
         Save: "Save", "Saves the pose to its file.", ["Ctrl+S"];
         SaveAs: "Save as…", "Saves the pose to another file.", ["Ctrl+Shift+S"];
-        SavePicture: "Save picture…", "Saves what the view shows as a PNG.", ["F12"];
+        SavePicture: "Save picture…", "Saves what the view shows: a still, or the view turning around the figure.", ["F12"];
         Settings: "Settings…", "Look, navigation and keys.", ["Ctrl+Comma"];
         Quit: "Quit", "Ends the program.", ["Ctrl+Q"];
     }
@@ -132,6 +132,14 @@ actions! {
         ZoomOut: "Farther", "Goes farther away by a step.", ["Minus", "PageDown"];
         FrameSelection: "Frame the selection", "Brings the chosen joint into the picture.", ["F", "Period"];
         FrameAll: "Frame all", "Brings the whole figure into the picture.", ["Home"];
+        StudioLook: "Studio", "The figure in its own colours under studio lights.", [];
+        ClayLook: "Clay", "The figure in sculptor's clay.", [];
+        MatcapLook: "Matcap", "The figure in wax, in a light that goes with the view.", [];
+        FlatLook: "Flat tones", "The figure in flat tones, one for each part of the body.", [];
+        LineLook: "Line drawing", "The figure as a drawing with a pen.", [];
+        NextLook: "Next look", "The next of these looks.", ["K"];
+        JointPlanes: "Joint planes", "The figure in wood tones with grooves at the joints, as a lay figure.", ["Shift+K"];
+        AmbientOcclusion: "Ambient occlusion", "Darkens creases and where parts meet.", [];
         LookThroughPictureCamera: "Through the picture camera", "Looks through the picture camera, or no longer.", ["0"];
         SetPictureCamera: "Set the picture camera", "The picture camera takes the present view.", ["Ctrl+Alt+0"];
     }

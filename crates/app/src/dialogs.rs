@@ -4,6 +4,7 @@ mod asking;
 mod keys;
 mod listing;
 mod path;
+mod picture;
 mod settings;
 mod sheet;
 
@@ -13,6 +14,7 @@ use std::sync::mpsc::Receiver;
 use egui::{Context, Id, Modal};
 
 use crate::keymap::Keymap;
+use crate::picture::Choices;
 use crate::settings::Settings;
 use crate::viewport::Viewport;
 use keys::KeyTable;
@@ -90,6 +92,8 @@ pub enum Answer {
 pub struct Dialogs {
     now: Option<Dialog>,
     path: String,
+    /// What a picture's name gets if it has no ending.
+    picture_ending: &'static str,
     fresh: bool,
     listing: Listing,
     chooser: Option<Receiver<Option<PathBuf>>>,
@@ -103,7 +107,6 @@ pub struct Dialogs {
 }
 
 const SUFFIX: &str = ".pose.ron";
-const PICTURE_SUFFIX: &str = ".png";
 
 impl Dialogs {
     /// Whether a dialog is up.
@@ -132,10 +135,11 @@ impl Dialogs {
         self.ask(Dialog::SavePath(then));
     }
 
-    /// Asks where to save a picture of the view, beginning beside the pose.
-    pub fn save_picture(&mut self, present: Option<&Path>) {
+    /// Asks where to save a picture of the view and what it is to be, beginning beside the pose.
+    pub fn save_picture(&mut self, present: Option<&Path>, choices: &Choices) {
         let pose = present.map_or_else(|| "unnamed".to_owned(), |path| path.display().to_string());
-        self.path = format!("{}{PICTURE_SUFFIX}", pose.strip_suffix(SUFFIX).unwrap_or(&pose));
+        let ending = picture::ending(choices);
+        self.path = format!("{}{ending}", pose.strip_suffix(SUFFIX).unwrap_or(&pose));
         self.ask(Dialog::PicturePath);
     }
 
@@ -157,7 +161,7 @@ impl Dialogs {
             ui.set_width(self.width(ctx, &dialog));
             match &dialog {
                 Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath => {
-                    (answer, close) = self.path(ui, &dialog);
+                    (answer, close) = self.path(ui, &dialog, settings);
                 }
                 Dialog::Unsaved(intent) => (answer, close) = asking::unsaved(ui, intent),
                 Dialog::Replace(writing) => (answer, close) = asking::replace(ui, writing),

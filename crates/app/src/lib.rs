@@ -6,6 +6,7 @@ pub mod cli;
 mod dialogs;
 pub mod disk;
 pub mod failure;
+mod finish;
 pub mod keepsafe;
 mod keycap;
 mod keymap;
@@ -28,6 +29,7 @@ mod viewport;
 pub mod window;
 
 pub use action::{Action, Group};
+pub use finish::Finish;
 pub use keymap::{Chord, Keymap};
 pub use panels::{Overview, Panels, Section};
 pub use session::{Session, Status};

@@ -37,6 +37,11 @@ impl Painter {
         &self.gpu
     }
 
+    /// How many pictures of the figure were drawn so far.
+    pub fn pictures(&self) -> u64 {
+        viewport::drawn(&self.renderer)
+    }
+
     /// Paints one frame. Every frame that egui has run must come here, or its textures are lost.
     pub fn paint(&mut self, ctx: &Context, output: FullOutput, size: [u32; 2], view: &wgpu::TextureView) {
         let Gpu { device, queue, .. } = &self.gpu;

@@ -1,6 +1,7 @@
 //! Pictures without a window: stills of any size, moving pictures, keypoints, sheets of many poses.
 
 mod changed;
+mod choices;
 mod darkroom;
 mod facts;
 mod film;
@@ -23,6 +24,7 @@ use std::path::Path;
 
 use render::Image;
 
+pub use choices::{Choices, MOST_EDGE, MOST_FRAMES};
 pub use darkroom::{Darkroom, Posed, bounds, open_gpu, rest_positions};
 pub use facts::Facts;
 pub use framing::fit;
@@ -30,9 +32,9 @@ pub use keypoints::Landmarks;
 pub use keypoints_file::keypoints_text;
 pub use naming::{Format, Naming};
 pub use order::{Order, title_of};
-pub use sheet::{Sheet, Tile};
+pub use sheet::{Sheet, Tile, on_plain};
 pub use shot::{Shot, Viewpoint, camera_words, pass_name, style_name};
-pub use turntable::turntable;
+pub use turntable::{around, turntable};
 pub use work::Work;
 
 use crate::failure::Failure;

@@ -7,6 +7,7 @@ mod configure;
 mod files;
 mod keys;
 mod recovery;
+mod saving;
 
 use std::path::{Path, PathBuf};
 
@@ -25,6 +26,7 @@ use crate::settings::{ConfigFolder, Settings};
 use crate::viewport::Viewport;
 use crate::{status_line, theme, toolbar};
 use recovery::Recovery;
+use saving::Saving;
 
 /// The left panel's rows need as much, points.
 const PANEL_LEAST: f32 = 340.0;
@@ -69,6 +71,8 @@ pub struct Session {
     /// Whether the clipboard was asked for to be pasted mirrored.
     paste_mirrored: bool,
     library: Library,
+    /// The pictures that are being made.
+    saving: Option<Saving>,
 }
 
 impl Session {
@@ -93,6 +97,7 @@ impl Session {
             paste_text: None,
             paste_mirrored: false,
             library: Library::default(),
+            saving: None,
         }
     }
 
@@ -197,6 +202,8 @@ impl Session {
             Action::Symmetry => Some(self.document().symmetry),
             Action::SecondView => Some(self.viewport.side_view),
             Action::LookThroughPictureCamera => Some(self.viewport.looks_through_picture_camera()),
+            Action::JointPlanes => Some(self.settings.finish.joint_planes),
+            Action::AmbientOcclusion => Some(self.settings.finish.ambient_occlusion),
             Action::Projection => Some(self.viewport.camera.projection == rig::Projection::Orthographic),
             Action::Lock => {
                 let chosen = self.panels.selection();
@@ -205,7 +212,7 @@ impl Session {
                         && chosen.bones().iter().all(|bone| self.document().locks.contains(*bone)),
                 )
             }
-            _ => None,
+            _ => act::style_of(action).map(|style| style == self.settings.finish.style),
         }
     }
 
@@ -244,6 +251,7 @@ impl Session {
         self.picture(ui);
         self.end_gesture(ui);
         self.dialogs(ui);
+        self.show_saving(ui);
         self.settings.marks = self.viewport.marks;
         self.settings.second_view = self.viewport.side_view;
         self.settings.navigation = self.viewport.preset;
@@ -279,6 +287,8 @@ impl Session {
 
     fn picture(&mut self, ui: &mut Ui) {
         self.viewport.hint(self.panels.hinted());
+        self.viewport.finish = self.settings.finish;
+        self.viewport.picture_size = self.settings.picture.size;
         self.viewport.guides = self.panels.guides();
         self.viewport.balance = self.panels.balance_marks();
         let hovered = self.viewport.hovered();

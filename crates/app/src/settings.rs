@@ -8,8 +8,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::disk::{read_text, write_atomic};
 use crate::failure::Failure;
+use crate::finish::Finish;
 use crate::keymap::{Keymap, parse_keys};
 use crate::load;
+use crate::picture::Choices;
 
 /// The newest version of files of settings.
 const SETTINGS_VERSION: u32 = 1;
@@ -49,6 +51,10 @@ pub struct Settings {
     pub library: bool,
     /// Where the user's poses lie; none is the folder in the user's data.
     pub library_folder: Option<PathBuf>,
+    /// How the figure looks.
+    pub finish: Finish,
+    /// How pictures are saved.
+    pub picture: Choices,
 }
 
 impl Default for Settings {
@@ -63,6 +69,8 @@ impl Default for Settings {
             panel: true,
             library: false,
             library_folder: None,
+            finish: Finish::default(),
+            picture: Choices::default(),
         }
     }
 }
@@ -208,6 +216,17 @@ mod tests {
         assert_eq!(folder.load(), (Settings::default(), Keymap::default(), Vec::new()));
         let mut settings = Settings { look: Look::Light, marks: false, ..Settings::default() };
         settings.library_folder = Some("/poses \"mine\"".into());
+        settings.finish = Finish { style: render::Style::Line, joint_planes: true, ambient_occlusion: false };
+        settings.picture = Choices {
+            size: [3840, 2160],
+            pass: render::Pass::OpenPose,
+            transparent: true,
+            grid: false,
+            turntable: true,
+            frames: 12,
+            fps: 30,
+            keypoints: true,
+        };
         settings.set_ui_scale(1.5);
         let mut keymap = Keymap::default();
         keymap.set(Action::Save, vec!["Ctrl+K".parse().unwrap()]);
@@ -230,6 +249,22 @@ mod tests {
         folder.save_settings(&Settings::default()).unwrap();
         assert!(std::fs::read_to_string(home.path().join("settings.ron.old")).unwrap().contains("colour"));
         assert_eq!(folder.load().2.len(), 1);
+    }
+
+    #[test]
+    fn looks_and_sizes_of_pictures_that_are_none_are_told_with_those_that_are() {
+        for (bad, known) in [
+            ("finish: (style: \"glass\")", "matcap"),
+            ("picture: (pass: \"colour\")", "silhouette"),
+            ("picture: (size: (0, 100))", "32768"),
+            ("picture: (frames: 0)", "1 to 1000"),
+            ("picture: (fps: 500)", "1 to 120"),
+        ] {
+            let fault = parse_settings(&format!("(version: 1,\n {bad})")).unwrap_err().to_string();
+            assert!(fault.starts_with("2:") && fault.contains(known), "{bad}: {fault}");
+        }
+        let older = parse_settings("(version: 1, finish: (style: \"clay\"))").unwrap();
+        assert_eq!(older.finish, Finish { style: render::Style::Clay, ..Finish::default() });
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod guides;
 mod handles;
 mod marks;
 mod navigation;
+pub mod pace;
 mod picture;
 mod picture_camera;
 mod pointer;
@@ -22,14 +23,17 @@ use std::collections::VecDeque;
 use edit::{Choose, Editor, Hands, Navigator, Preset, Request, Selection, Sight, Stage};
 use egui::{Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2};
+use render::Look;
 use rig::{Bone, Camera, Limb, Space, View};
 
 use backdrop::Backdrop;
 use drawing::{Drawing, write_words};
 pub use guides::{Guide, Guides};
+use pace::{Pace, Quality};
 use picture::Picture;
-pub use picture::install;
+pub use picture::{drawn, install};
 
+use crate::finish::Finish;
 use crate::keymap::Keymap;
 
 /// How the figure is looked at, and the gesture in the picture.
@@ -43,6 +47,12 @@ pub struct Viewport {
     pub preset: Preset,
     /// Which keys count while something is held.
     pub keymap: Keymap,
+    /// What the figure is made of and drawn with.
+    pub finish: Finish,
+    /// How well it is drawn while it moves.
+    pace: Pace,
+    /// Whether the pace is that of an adapter known to be slow.
+    slow: bool,
     /// Width and height of the pictures that the picture camera takes, pixels.
     pub picture_size: [u32; 2],
     /// Whether the small second picture is shown.
@@ -95,6 +105,9 @@ impl Default for Viewport {
             marks: true,
             preset: Preset::default(),
             keymap: Keymap::default(),
+            finish: Finish::default(),
+            pace: Pace::default(),
+            slow: false,
             picture_size: [1280, 800],
             side_view: false,
             backdrop: Backdrop::default(),
@@ -117,8 +130,8 @@ impl Default for Viewport {
 }
 
 impl Viewport {
-    /// Shows the picture in what is left of the window.
-    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, selection: &Selection, lean: bool) -> Asked {
+    /// Shows the picture in what is left of the window; `slow` if the processor draws.
+    pub fn show(&mut self, ui: &mut Ui, editor: &Editor, selection: &Selection, slow: bool) -> Asked {
         let (id, rect) = (egui::Id::unique("viewport"), ui.available_rect_before_wrap());
         ui.allocate_rect(rect, Sense::hover());
         self.rect = rect;
@@ -130,14 +143,14 @@ impl Viewport {
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Figure"));
         let here = self.pane(ui).unwrap_or(response);
         let asked = self.point(ui, &here, editor, selection);
-        let moving = lean && self.is_moving(ui, editor);
-        self.paint(ui, editor, selection, moving);
+        let quality = self.quality(ui, editor, slow);
+        self.paint(ui, editor, selection, quality);
         let stage = Stage { sight: self.sight(), ..self.stage(editor, selection.active()) };
         handles::paint(ui, &self.hands, &stage, rect);
         if self.looks_through_picture_camera() {
             self.paint_frame(ui);
         }
-        self.paint_side(ui, editor, selection, moving);
+        self.paint_side(ui, editor, selection, quality);
         self.axis_ball(ui);
         asked
     }
@@ -232,12 +245,36 @@ impl Viewport {
         self.rect.min + egui::vec2(at.x, at.y)
     }
 
+    /// How well to draw now; asks for the picture in full once movement has come to rest.
+    fn quality(&mut self, ui: &Ui, editor: &Editor, slow: bool) -> Quality {
+        if self.slow != slow {
+            self.slow = slow;
+            self.pace = if slow { Pace::slow() } else { Pace::default() };
+        }
+        let now = ui.input(|i| i.time);
+        let quality = self.pace.quality(now, self.is_moving(ui, editor));
+        if let Some(secs) = self.pace.rests_in(now) {
+            ui.ctx().request_repaint_after_secs(secs as f32 + 0.01);
+        }
+        quality
+    }
+
+    /// A frame in which the figure was drawn anew took so long, from its begin to its end on the screen.
+    pub fn took(&mut self, now: f64, secs: f32) {
+        self.pace.took(now, secs);
+    }
+
+    /// What the figure and its surroundings look like at rest.
+    fn look(&self, ui: &Ui) -> Look {
+        self.finish.on(Look::default()).in_surroundings(!ui.visuals().dark_mode)
+    }
+
     fn is_moving(&self, ui: &Ui, editor: &Editor) -> bool {
         let held = self.hands.is_dragging() || self.navigator.motion().is_some();
         held || editor.in_gesture() || self.is_wheeling(ui)
     }
 
-    fn paint(&self, ui: &Ui, editor: &Editor, selection: &Selection, lean: bool) {
+    fn paint(&self, ui: &Ui, editor: &Editor, selection: &Selection, quality: Quality) {
         let scale = ui.ctx().pixels_per_point();
         let lit = self.hovered().or(self.hinted);
         let mut drawing = Drawing::new(self.sight(), scale);
@@ -254,8 +291,8 @@ impl Viewport {
             self.mark_picture_camera(&mut overlay, scale);
         }
         let lit = picture::Lit { selected: selection.bones(), hovered: lit };
-        let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, lit, lean)
-            .in_light(!ui.visuals().dark_mode)
+        let look = quality.of(self.look(ui));
+        let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, lit, look)
             .before(self.backdrop.shown());
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
         write_words(ui.painter(), self.rect, &sight, &words);

@@ -102,7 +102,7 @@ fn run_starts_on_a_pose() {
 #[test]
 fn render_draws_a_png_of_the_asked_size() {
     let folder = Folder::new();
-    for pass in ["color", "depth", "normal", "silhouette", "openpose"] {
+    for pass in ["color", "depth", "normal", "silhouette", "parts", "openpose"] {
         let png = folder.path(&format!("{pass}.png"));
         let table = script("hand-on-table.script.ron");
         let output = posewright(&["render", &table, "-o", text(&png), "--size", "200x120", "--pass", pass]);
@@ -112,6 +112,172 @@ fn render_draws_a_png_of_the_asked_size() {
         let first = *image.get_pixel(100, 60);
         assert!(image.pixels().any(|p| *p != first), "{pass} is one colour");
     }
+}
+
+/// The arguments of a small picture.
+fn small<'a>(file: &'a str, to: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    let mut arguments = vec!["render", file, "-o", to, "--size", "60x50"];
+    arguments.extend(more);
+    arguments
+}
+
+#[test]
+fn the_same_command_gives_the_same_bytes_in_every_format() {
+    let folder = Folder::new();
+    let table = script("hand-on-table.script.ron");
+    let has_ffmpeg = Command::new("ffmpeg").arg("-version").output().is_ok();
+    for (name, options) in [
+        ("a.png", &["--look", "clay", "--wood", "--keypoints", "KEYS"][..]),
+        ("a.webp", &["--transparent", "--yaw", "-30", "--zoom", "1.5"]),
+        ("moving.webp", &["--turntable", "3"]),
+        ("a.gif", &["--turntable", "3", "--transparent", "--ground", "none"]),
+        ("a.mp4", &["--turntable", "3", "--fps", "10"]),
+        ("{pass}.png", &["--pass", "depth,parts"]),
+        ("%02d.png", &["--turntable", "2", "--orthographic"]),
+    ] {
+        if name.ends_with("mp4") && !has_ffmpeg {
+            continue;
+        }
+        let once = |round: &str| {
+            let room = folder.path(&format!("{name}-{round}"));
+            fs::create_dir(&room).unwrap();
+            let (to, keys) = (room.join(name), room.join("keys.json"));
+            let options: Vec<&str> =
+                options.iter().map(|o| if *o == "KEYS" { text(&keys) } else { o }).collect();
+            let output = posewright(&small(&table, text(&to), &options));
+            assert_eq!(code(&output), 0, "{name}: {}", said(&output));
+            let mut files: Vec<PathBuf> =
+                room.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+            files.sort();
+            files
+                .iter()
+                .map(|f| (f.file_name().unwrap().to_owned(), fs::read(f).unwrap()))
+                .collect::<Vec<_>>()
+        };
+        let first = once("first");
+        assert_eq!(first.len(), if name.contains(['%', '{']) || name == "a.png" { 2 } else { 1 }, "{name}");
+        assert!(first == once("second"), "{name} differs");
+        let holds =
+            |words: &str| first.iter().any(|(_, b)| b.windows(words.len()).any(|w| w == words.as_bytes()));
+        assert!(holds("hand-on-table") && holds("mannequin"), "{name} names pose and figure");
+    }
+}
+
+#[test]
+fn a_turntable_in_a_folder_has_a_picture_from_each_side() {
+    let folder = Folder::new();
+    let to = format!("{}/", text(&folder.path("frames")));
+    let table = script("hand-on-table.script.ron");
+    let output = posewright(&small(&table, &to, &["--turntable", "4", "--view", "front"]));
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let frame =
+        |i: u32| image::open(folder.path("frames").join(format!("frame-{i:04}.png"))).unwrap().into_rgb8();
+    let frames: Vec<_> = (1..=4).map(frame).collect();
+    assert!((0..4).all(|i| (0..i).all(|j| frames[i] != frames[j])), "all sides look different");
+    assert!(!folder.path("frames").join("frame-0005.png").exists());
+}
+
+#[test]
+fn a_still_larger_than_the_device_holds_is_whole() {
+    let folder = Folder::new();
+    let png = folder.path("wide.png");
+    let table = script("hand-on-table.script.ron");
+    let output =
+        posewright(&["render", &table, "-o", text(&png), "--size", "17000x24", "--pass", "silhouette"]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let image = image::open(&png).unwrap().into_luma8();
+    assert_eq!(image.dimensions(), (17000, 24));
+    assert!(image.pixels().any(|p| p.0[0] == 255) && image.get_pixel(0, 0).0[0] == 0);
+}
+
+#[test]
+fn what_an_output_can_t_hold_is_wrong_usage_and_said() {
+    let folder = Folder::new();
+    let table = script("hand-on-table.script.ron");
+    for (name, options, words) in [
+        ("a.bmp", &[][..], ".webp"),
+        ("a.png", &["--turntable", "3"], "frame-%04d.png"),
+        ("a%d.gif", &["--turntable", "3"], "leave the number out"),
+        ("a.png", &["--pass", "color,depth"], "{pass}"),
+        ("a.mp4", &["--turntable", "3", "--transparent"], "transparent"),
+        ("a.webp", &["--turntable", "3", "--keypoints", "k.json"], "points-%04d.json"),
+        ("a.gif", &["--frames", "1..10"], "--turntable"),
+        ("a.gif", &["--turntable", "0"], "1..=10000"),
+        ("a.png", &["--zoom", "nan"], "0.05"),
+    ] {
+        let output = posewright(&small(&table, text(&folder.path(name)), options));
+        assert_eq!(code(&output), 2, "{name} {options:?}: {}", said(&output));
+        assert!(said(&output).contains(words), "{name} {options:?}: {}", said(&output));
+    }
+    assert_eq!(folder.0.path().read_dir().unwrap().count(), 0, "nothing is written");
+}
+
+#[test]
+fn without_ffmpeg_an_mp4_is_told_with_the_cure() {
+    let folder = Folder::new();
+    let film = folder.file("a.mp4", "former");
+    let table = script("hand-on-table.script.ron");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
+    let output =
+        command.args(small(&table, text(&film), &["--turntable", "3"])).env("PATH", "").output().unwrap();
+    assert_eq!(code(&output), 1);
+    assert!(said(&output).contains("apt install ffmpeg"), "{}", said(&output));
+    assert_eq!(fs::read(&film).unwrap(), b"former");
+    assert_eq!(folder.0.path().read_dir().unwrap().count(), 1, "nothing half is left");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_film_that_is_stopped_leaves_the_former_one_and_nothing_beside_it() {
+    let folder = Folder::new();
+    let table = script("hand-on-table.script.ron");
+    for name in ["a.webp", "a.gif"] {
+        let film = folder.file(name, "former");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
+        let mut program = command.args(small(&table, text(&film), &["--turntable", "9000"])).spawn().unwrap();
+        let others = || folder.0.path().read_dir().unwrap().count() > 1;
+        for _ in 0..600 {
+            if others() {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(50));
+        }
+        assert!(others(), "{name}: it has begun");
+        let stopped = Command::new("kill").args(["-INT", &program.id().to_string()]).status().unwrap();
+        assert!(stopped.success());
+        assert_eq!(program.wait().unwrap().code(), Some(130), "{name}");
+        assert_eq!(fs::read(&film).unwrap(), b"former");
+        fs::remove_file(&film).unwrap();
+        assert_eq!(folder.0.path().read_dir().unwrap().count(), 0, "{name}: nothing half is left");
+    }
+}
+
+#[test]
+fn a_sheet_holds_a_tile_for_each_pose_and_look() {
+    let folder = Folder::new();
+    let pose = folder.file("bow.pose.ron", "(version: 1, joints: {\"spine\": (flexion: 40.0)})");
+    let draw = |name: &str, options: &[&str]| {
+        let png = folder.path(name);
+        let mut arguments = vec!["sheet", text(&pose), "library:thinker.pose.ron", "-o", text(&png)];
+        arguments.extend(["--size", "60x80", "--columns", "3"]);
+        arguments.extend(options);
+        let output = posewright(&arguments);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        (fs::read(&png).unwrap(), image::open(&png).unwrap().into_rgb8())
+    };
+    let (bytes, plain) = draw("plain.png", &[]);
+    assert_eq!(plain.dimensions(), (2 * 66 + 6, 86 + 6), "two tiles, 6 pixels between them");
+    assert!(draw("again.png", &[]).0 == bytes, "the same bytes each time");
+    let (_, labelled) = draw("labels.png", &["--labels", "--look", "studio,clay"]);
+    assert_eq!(labelled.dimensions(), (3 * 66 + 6, 2 * (80 + 22 + 6) + 6));
+    let bright = |x: std::ops::Range<u32>| {
+        x.flat_map(|x| (86..108).map(move |y| (x, y)))
+            .filter(|(x, y)| labelled.get_pixel(*x, *y).0[0] > 180)
+            .count()
+    };
+    assert!(bright(6..66) > 20 && bright(72..132) > 20, "each tile has its words below it");
+    let output = posewright(&["sheet", text(&pose), "-o", text(&folder.path("a.gif"))]);
+    assert_eq!(code(&output), 2);
 }
 
 #[test]

@@ -21,7 +21,7 @@ Usage: cargo xtask <COMMAND>
   lint                   formatting, lints and documentation
   sculpt [--preview DIR [--only PART]]
                          make the shipped figure anew, or only draw it or a part of it
-  pictures [NAME…]       make the pictures of the README and the guide anew
+  pictures [NAME…]       make the pictures of the README and the guide anew; `pictures sheet` the contact sheet alone
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";
 

@@ -1,5 +1,6 @@
 //! `cargo xtask pictures`: makes the pictures of the README and the guide anew, with the program itself.
 
+pub mod contact_sheet;
 pub mod shots;
 
 use std::process::Command;
@@ -9,13 +10,14 @@ use anyhow::{Context, Result, ensure};
 use crate::stages::cargo;
 use shots::{FOLDER, TABLE};
 
-/// Builds the program and writes the pictures of these names, or every picture of the table if none is named.
+/// Builds the program and writes the pictures of these names, with or without their ending, or every one if none is named.
 ///
 /// # Errors
 /// The build or a rendering fails; a picture can't be written; a name that no picture has.
 pub fn run(names: &[String]) -> Result<()> {
+    let known = TABLE.iter().map(|picture| picture.name).chain([contact_sheet::NAME]);
     for name in names {
-        ensure!(TABLE.iter().any(|picture| picture.name == *name), "no picture is called {name}");
+        ensure!(known.clone().any(|other| is(other, name)), "no picture is called {name}");
     }
     let status = cargo(["build", "--package", "app", "--bin", "posewright"]).status()?;
     ensure!(status.success(), "the build ended with {status}");
@@ -26,14 +28,22 @@ pub fn run(names: &[String]) -> Result<()> {
     version.with_context(|| format!("starting {}", program.display()))?;
     std::fs::create_dir_all(root.join(FOLDER))?;
     let mut total = 0;
-    let asked = |name: &str| names.is_empty() || names.iter().any(|other| other == name);
-    for picture in TABLE.iter().filter(|picture| asked(picture.name)) {
-        let bytes = shots::png(&picture.make(&program, &root)?)?;
+    for name in known.filter(|name| names.is_empty() || names.iter().any(|asked| is(name, asked))) {
+        let made = match TABLE.iter().find(|picture| picture.name == name) {
+            Some(picture) => picture.make(&program, &root)?,
+            None => contact_sheet::make(&program, &root)?,
+        };
+        let bytes = shots::png(&shots::rounded(made))?;
         total += bytes.len();
-        println!("{:14} {:5} kB", picture.name, bytes.len() / 1000);
-        let path = root.join(FOLDER).join(picture.name);
+        println!("{name:14} {:5} kB", bytes.len() / 1000);
+        let path = root.join(FOLDER).join(name);
         std::fs::write(&path, bytes).with_context(|| format!("writing {}", path.display()))?;
     }
     println!("{} kB in {FOLDER}", total / 1000);
     Ok(())
+}
+
+/// Whether a picture is meant by a name.
+fn is(picture: &str, asked: &str) -> bool {
+    picture == asked || picture.strip_suffix(".png") == Some(asked)
 }

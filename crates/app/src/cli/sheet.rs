@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::library::shipped;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Naming, Posed, Sheet, Tile, Viewpoint, Work, style_name, title_of,
+    Darkroom, Facts, Format, Naming, Posed, Sheet, Tile, Viewpoint, Work, on_plain, style_name, title_of,
 };
 
 /// What `sheet` is told.
@@ -79,7 +79,7 @@ fn tiles(told: &SheetArguments) -> Result<Vec<Tile>, Failure> {
         for file in &told.files {
             let posed = Posed::of(&load::editor(figure, file)?);
             for style in &told.styles {
-                let look = told.look.look((*style).into());
+                let look = on_plain(told.look.look((*style).into()));
                 let title = title(told, file, &posed, style_name(look.style), figures.len());
                 tiles.push(Tile { posed: posed.clone(), look, title });
             }

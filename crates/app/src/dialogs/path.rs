@@ -6,10 +6,17 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use egui::{Context, Id, Key, RichText, TextEdit, Ui};
 
 use super::listing::Pick;
-use super::{Answer, Dialog, Dialogs, PICTURE_SUFFIX, SUFFIX, Writing};
+use super::{Answer, Dialog, Dialogs, SUFFIX, Writing, picture};
+use crate::picture::Format;
+use crate::settings::Settings;
 
 impl Dialogs {
-    pub(super) fn path(&mut self, ui: &mut Ui, dialog: &Dialog) -> (Option<Answer>, bool) {
+    pub(super) fn path(
+        &mut self,
+        ui: &mut Ui,
+        dialog: &Dialog,
+        settings: &mut Settings,
+    ) -> (Option<Answer>, bool) {
         let (title, verb, what) = match dialog {
             Dialog::OpenPath => ("Open a pose", "Open", "pose"),
             Dialog::PicturePath => ("Save the picture", "Save", "picture"),
@@ -33,6 +40,11 @@ impl Dialogs {
         if *dialog == Dialog::OpenPath {
             entered |= self.list(ui);
         }
+        if *dialog == Dialog::PicturePath {
+            let former = picture::ending(&settings.picture);
+            picture::choices(ui, &mut settings.picture, &mut settings.finish);
+            self.follow_ending(former, picture::ending(&settings.picture));
+        }
         ui.add_space(8.0);
         let mut clicked = [false; 3];
         ui.horizontal(|ui| {
@@ -55,6 +67,14 @@ impl Dialogs {
         (answer, clicked[1])
     }
 
+    /// Gives the path the ending of another kind of picture, if it has that of the former kind.
+    fn follow_ending(&mut self, former: &'static str, ending: &'static str) {
+        self.picture_ending = ending;
+        if let Some(bare) = self.path.strip_suffix(former).filter(|_| former != ending) {
+            self.path = format!("{bare}{ending}");
+        }
+    }
+
     /// Lists the folder's poses; whether one was taken.
     fn list(&mut self, ui: &mut Ui) -> bool {
         self.listing.follow(&self.path);
@@ -73,7 +93,7 @@ impl Dialogs {
 
     fn answer(&self, dialog: &Dialog) -> Option<Answer> {
         let words = self.path.trim();
-        (!words.is_empty()).then(|| answer_of(dialog, from_home(words)))
+        (!words.is_empty()).then(|| self.answer_of(dialog, from_home(words)))
     }
 
     /// What the desktop's chooser came to, if it is done.
@@ -86,15 +106,15 @@ impl Dialogs {
         self.chooser = None;
         self.unchosen = chosen.is_none();
         self.fresh = self.unchosen;
-        chosen.map(|path| answer_of(dialog, path))
+        chosen.map(|path| self.answer_of(dialog, path))
     }
-}
 
-fn answer_of(dialog: &Dialog, path: PathBuf) -> Answer {
-    match dialog {
-        Dialog::SavePath(then) => Answer::Write(Writing::Pose(with_suffix(path, SUFFIX), then.clone())),
-        Dialog::PicturePath => Answer::Write(Writing::Picture(with_suffix(path, PICTURE_SUFFIX))),
-        _ => Answer::Open(path),
+    fn answer_of(&self, dialog: &Dialog, path: PathBuf) -> Answer {
+        match dialog {
+            Dialog::SavePath(then) => Answer::Write(Writing::Pose(with_suffix(path, SUFFIX), then.clone())),
+            Dialog::PicturePath => Answer::Write(Writing::Picture(with_suffix(path, self.picture_ending))),
+            _ => Answer::Open(path),
+        }
     }
 }
 
@@ -121,7 +141,9 @@ fn with_suffix(path: PathBuf, suffix: &str) -> PathBuf {
 fn select_name(ui: &Ui, id: Id, path: &str) {
     use egui::text::{CCursor, CCursorRange};
     let start = path.rfind(['/', '\\']).map_or(0, |i| i + 1);
-    let bare = [SUFFIX, PICTURE_SUFFIX].iter().find_map(|suffix| path.strip_suffix(suffix));
+    let pictures = Format::ALL.map(|format| format!(".{}", format.ending()));
+    let mut suffixes = std::iter::once(SUFFIX).chain(pictures.iter().map(String::as_str));
+    let bare = suffixes.find_map(|suffix| path.strip_suffix(suffix));
     let end = bare.map_or(path.len(), str::len).max(start);
     let chars = |bytes: usize| CCursor::new(path[..bytes].chars().count());
     let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
@@ -134,8 +156,12 @@ fn browse(ctx: &Context, dialog: &Dialog, path: &str) -> Receiver<Option<PathBuf
     let (sender, receiver) = channel();
     let (ctx, saving) = (ctx.clone(), !matches!(dialog, Dialog::OpenPath));
     let path = PathBuf::from(path);
-    let (kind, ending) = if *dialog == Dialog::PicturePath { ("Pictures", "png") } else { ("Poses", "ron") };
-    let mut chooser = rfd::FileDialog::new().add_filter(kind, &[ending]);
+    let mut chooser = match dialog {
+        Dialog::PicturePath => {
+            rfd::FileDialog::new().add_filter("Pictures", &Format::ALL.map(Format::ending))
+        }
+        _ => rfd::FileDialog::new().add_filter("Poses", &["ron"]),
+    };
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         chooser = chooser.set_directory(folder);
     }

@@ -48,10 +48,13 @@ mod tests {
             })
             .collect();
         for projection in [Projection::Perspective, Projection::Orthographic] {
-            for (view, size) in [(View::ThreeQuarter, Vec2::new(300.0, 400.0)), (View::Top, Vec2::new(900.0, 400.0))] {
+            for (view, size) in
+                [(View::ThreeQuarter, Vec2::new(300.0, 400.0)), (View::Top, Vec2::new(900.0, 400.0))]
+            {
                 let camera = Camera { projection, ..Camera::default().seen_from(view) };
                 let camera = fit(camera, &points, size.x / size.y);
-                let seen: Vec<Vec2> = points.iter().map(|p| camera.pixel_of(*p, size).unwrap() / size).collect();
+                let seen: Vec<Vec2> =
+                    points.iter().map(|p| camera.pixel_of(*p, size).unwrap() / size).collect();
                 let least = seen.iter().fold(Vec2::MAX, |a, b| a.min(*b));
                 let most = seen.iter().fold(Vec2::MIN, |a, b| a.max(*b));
                 let margin = least.min(1.0 - most);

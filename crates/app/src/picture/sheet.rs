@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use egui::Color32;
 use glam::Vec3;
 use render::{Image, Look};
 use rig::{Camera, Palette, skin_positions};
@@ -52,12 +51,26 @@ pub struct Sheet {
     pub one_scale: bool,
 }
 
+/// A look on a plain ground, halfway between the colours of its own: tiles side by side are calmer so.
+#[must_use]
+pub fn on_plain(look: Look) -> Look {
+    let [top, bottom] = [look.background_top, look.background_bottom];
+    let plain = [0, 1, 2, 3].map(|i| top[i].midpoint(bottom[i]));
+    Look { background_top: plain, background_bottom: plain, ..look }
+}
+
 impl Sheet {
     /// Draws the sheet into a PNG, a row of tiles at a time.
     ///
     /// # Errors
     /// A skin at fault, tiles larger than the device holds, a file that can't be written; the user has stopped it.
-    pub fn write(&self, file: &Path, facts: &Facts, darkroom: &mut Darkroom, work: &Work) -> Result<(), Failure> {
+    pub fn write(
+        &self,
+        file: &Path,
+        facts: &Facts,
+        darkroom: &mut Darkroom,
+        work: &Work,
+    ) -> Result<(), Failure> {
         let [width, label] = [self.tile_size[0], self.label_height()];
         let limit = darkroom.gpu().max_edge();
         if self.labels && width > limit {
@@ -111,11 +124,9 @@ impl Sheet {
     }
 
     fn label(&self, writer: &mut Writer, tile: &Tile) -> Result<Image, Failure> {
-        let dark = !tile.look.transparent && luminance(tile.look.background_bottom) < 128;
-        let color = if dark { Color32::from_gray(232) } else { Color32::from_gray(40) };
-        // On a clear sheet the words are clear around, too.
-        let [r, g, b, _] = tile.look.background_bottom;
-        let back = if tile.look.transparent { Color32::WHITE } else { Color32::from_rgb(r, g, b) };
+        let back = if tile.look.transparent { [0; 4] } else { tile.look.background_bottom };
+        let dark = luminance(back) < 128 && !tile.look.transparent;
+        let color = if dark { [232; 3] } else { [64; 3] };
         writer.line(&tile.title, self.label_height() as f32 * LETTER_SHARE, color, back)
     }
 

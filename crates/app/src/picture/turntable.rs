@@ -8,23 +8,31 @@ use rig::{Bounds, Camera};
 /// the figure's left. All stand equally far, so far that the box is inside each picture of that aspect, `zoom` times
 /// nearer.
 pub fn turntable(first: Camera, bounds: Bounds, aspect: f32, frames: usize, zoom: f32) -> Vec<Camera> {
-    let turned = |i: usize| {
-        let mut camera = first;
-        camera.orbit(TAU * i as f32 / frames.max(1) as f32, 0.0);
-        camera
-    };
+    let turned = around(first, frames);
     let framed = |camera: Camera| {
         let mut camera = camera;
         camera.frame(bounds, aspect);
         camera
     };
-    let farthest = (0..frames).map(|i| framed(turned(i)).distance).fold(0.0, f32::max);
+    let farthest = turned.iter().map(|camera| framed(*camera).distance).fold(0.0, f32::max);
     let target = framed(first).target;
     let nearer = |mut camera: Camera| {
         camera.zoom(1.0 / zoom, target);
         camera
     };
-    (0..frames).map(|i| nearer(Camera { target, distance: farthest, ..turned(i) })).collect()
+    turned.into_iter().map(|camera| nearer(Camera { target, distance: farthest, ..camera })).collect()
+}
+
+/// So many cameras, evenly about the vertical through the first one's target and as far as it, beginning with it.
+pub fn around(first: Camera, frames: usize) -> Vec<Camera> {
+    let turned = |i: usize| {
+        let mut camera = first;
+        if i > 0 {
+            camera.orbit(TAU * i as f32 / frames as f32, 0.0);
+        }
+        camera
+    };
+    (0..frames).map(turned).collect()
 }
 
 #[cfg(test)]
@@ -40,7 +48,8 @@ mod tests {
         let first = Camera::view(View::ThreeQuarter, body, 0.75);
         let cameras = turntable(first, body, 0.75, 24, 1.0);
         assert_eq!(cameras.len(), 24);
-        assert!((cameras[0].yaw_rad - first.yaw_rad).abs() < 1e-6);
+        assert_eq!(cameras[0].yaw_rad, first.yaw_rad);
+        assert_eq!(around(first, 24)[0], first);
         for camera in &cameras {
             assert_eq!((camera.distance, camera.target), (cameras[0].distance, cameras[0].target));
             for corner in body.corners() {

@@ -32,19 +32,44 @@ impl Writer {
         Writer { ctx: Context::default(), painter: Painter::plain(gpu, format), texture, size, frames: 0 }
     }
 
-    /// One line in the middle, so many pixels high, smaller if it is too long; on a plain ground.
+    /// One line in the middle, so many pixels high, smaller if it is too long; on a ground of that colour, or on none.
     ///
     /// # Errors
     /// The driver complains.
-    pub fn line(&mut self, words: &str, height: f32, color: Color32, ground: Color32) -> Result<Image, Failure> {
+    pub fn line(
+        &mut self,
+        words: &str,
+        height: f32,
+        color: [u8; 3],
+        ground: [u8; 4],
+    ) -> Result<Image, Failure> {
+        // White on black first: what is white tells how much of the letters' colour is there.
+        let drawn = self.white_on_black(words, height)?;
+        let mixed = |light: u8| {
+            let [covers, light] = [f32::from(ground[3]) / 255.0, f32::from(light) / 255.0];
+            let alpha = light + covers * (1.0 - light);
+            let channel = |i: usize| {
+                let whole = f32::from(color[i]) * light + f32::from(ground[i]) * covers * (1.0 - light);
+                if alpha > 0.0 { (whole / alpha).round() as u8 } else { 0 }
+            };
+            [channel(0), channel(1), channel(2), (alpha * 255.0).round() as u8]
+        };
+        let rgba = drawn.rgba.chunks_exact(4).flat_map(|pixel| mixed(pixel[1])).collect();
+        Ok(Image { rgba, ..drawn })
+    }
+
+    fn white_on_black(&mut self, words: &str, height: f32) -> Result<Image, Failure> {
+        let color = Color32::WHITE;
         let room = vec2(self.size[0] as f32, self.size[1] as f32);
         let rect = Rect::from_min_size(Pos2::ZERO, room);
-        let input = RawInput { screen_rect: Some(rect), time: Some(f64::from(self.frames)), ..RawInput::default() };
+        let input =
+            RawInput { screen_rect: Some(rect), time: Some(f64::from(self.frames)), ..RawInput::default() };
         self.frames += 1;
         let output = self.ctx.run_ui(input, |ui| {
             let painter = ui.ctx().layer_painter(egui::LayerId::background());
-            painter.rect_filled(rect, 0.0, ground);
-            let width = |height| painter.layout_no_wrap(words.to_owned(), FontId::proportional(height), color).size().x;
+            let width = |height| {
+                painter.layout_no_wrap(words.to_owned(), FontId::proportional(height), color).size().x
+            };
             let fitting = (room.x * 0.94 / width(height).max(1.0)).min(1.0);
             let font = FontId::proportional((height * fitting).floor().max(6.0));
             painter.text(rect.center(), Align2::CENTER_CENTER, words, font, color);

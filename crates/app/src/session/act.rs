@@ -2,6 +2,7 @@
 
 use edit::{Choose, Command, Hold, Request, Step, clear_place, to_rest};
 use egui::Context;
+use render::Style;
 use rig::{Contact, Limb, Locks, Part, View};
 
 use super::Session;
@@ -33,7 +34,7 @@ impl Session {
             Action::Open => self.intend(Intent::Open(None)),
             Action::Save => self.save_or_ask(None),
             Action::SaveAs => self.dialogs.save(self.path.as_deref(), None),
-            Action::SavePicture => self.dialogs.save_picture(self.path.as_deref()),
+            Action::SavePicture => self.dialogs.save_picture(self.path.as_deref(), &self.settings.picture),
             Action::Settings => self.dialogs.ask(Dialog::Settings),
             Action::Quit => self.quit_asking(),
             _ => {}
@@ -152,8 +153,14 @@ impl Session {
 
     fn look(&mut self, action: Action) {
         use Action::*;
-        let view = &mut self.viewport;
+        let (view, finish) = (&mut self.viewport, &mut self.settings.finish);
+        if let Some(style) = style_of(action) {
+            finish.style = style;
+        }
         match action {
+            NextLook => *finish = finish.next(),
+            JointPlanes => finish.joint_planes = !finish.joint_planes,
+            AmbientOcclusion => finish.ambient_occlusion = !finish.ambient_occlusion,
             Front => view.view(View::Front),
             Back => view.view(View::Back),
             Left => view.view(View::Left),
@@ -194,6 +201,18 @@ impl Session {
             Action::Help => self.dialogs.ask(Dialog::Help),
             _ => {}
         }
+    }
+}
+
+/// The style that an action chooses.
+pub(super) const fn style_of(action: Action) -> Option<Style> {
+    match action {
+        Action::StudioLook => Some(Style::Studio),
+        Action::ClayLook => Some(Style::Clay),
+        Action::MatcapLook => Some(Style::Matcap),
+        Action::FlatLook => Some(Style::Flat),
+        Action::LineLook => Some(Style::Line),
+        _ => None,
     }
 }
 

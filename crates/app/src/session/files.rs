@@ -9,7 +9,7 @@ use super::{Session, Status};
 use crate::dialogs::{Answer, Dialog, Intent, Writing};
 use crate::failure::Failure;
 use crate::viewport::backdrop::Backdrop;
-use crate::{disk, load, picture};
+use crate::{disk, load};
 
 impl Session {
     /// Opens a pose file, now; what it doesn't name is at rest.
@@ -100,24 +100,6 @@ impl Session {
         }
     }
 
-    /// Writes what the view shows, without marks.
-    fn save_picture(&mut self, path: &Path) {
-        let size = self.viewport.picture_size;
-        let camera = self.viewport.camera_for_picture();
-        let posed = picture::Posed::of(&self.editor);
-        let shot = picture::Shot::new(size);
-        let drawn = picture::Darkroom::open().and_then(|mut room| room.image(&posed, camera, &shot));
-        let facts = picture::Facts::new(&self.file_name(), &posed.figure.name);
-        let written = drawn.and_then(|image| picture::write_png(&image, &facts, path));
-        match written {
-            Ok(()) => {
-                let message = format!("Saved {} · {} × {} pixels", path.display(), size[0], size[1]);
-                self.status = Status { message, ..Status::default() };
-            }
-            Err(error) => self.tell(Err(error)),
-        }
-    }
-
     pub(super) fn take_dropped(&mut self, ui: &Ui) {
         let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
         match dropped {
@@ -146,7 +128,7 @@ impl Session {
             }
             Answer::Write(writing) | Answer::Replace(writing) => match writing {
                 Writing::Pose(path, then) => self.save_then(&path, then),
-                Writing::Picture(path) => self.save_picture(&path),
+                Writing::Picture(path) => self.save_picture(ui.ctx(), &path),
             },
             Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),

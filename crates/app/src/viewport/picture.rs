@@ -51,14 +51,13 @@ impl Picture {
         pixels_per_point: f32,
         overlay: Overlay,
         lit: Lit<'_>,
-        lean: bool,
+        look: Look,
     ) -> Picture {
         let rest = crate::picture::rest_positions(editor.figure());
-        let look = Look::default();
         Picture {
             camera,
             size: [rect.width(), rect.height()].map(|s| ((s * pixels_per_point).round() as u32).max(1)),
-            look: if lean { look.lean() } else { look },
+            look,
             // Frames of the world in place of the figure's: the figure's transform is the identity then.
             palette: Palette::new(&editor.evaluation().frames, &rest),
             has_skin: editor.figure().skin.is_some(),
@@ -68,12 +67,6 @@ impl Picture {
             backdrop: None,
             slot: 0,
         }
-    }
-
-    /// The surroundings of a light or a dark window.
-    pub fn in_light(mut self, light: bool) -> Picture {
-        self.look = self.look.in_surroundings(light);
-        self
     }
 
     /// Before a picture for reference of that opacity.
@@ -214,6 +207,11 @@ pub fn install(
 ) -> Result<(), DrawError> {
     renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure)?);
     Ok(())
+}
+
+/// How many pictures were drawn with egui's renderer so far.
+pub fn drawn(renderer: &egui_wgpu::Renderer) -> u64 {
+    renderer.callback_resources.get::<PictureGpu>().map_or(0, |gpu| gpu.count)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use glam::{DVec3, Vec2};
 use rig::{Camera, Projection};
 
 use super::drawing::Drawing;
+use super::pace::Quality;
 use super::picture::{Lit, Picture};
 use super::{Viewport, guides, handles, marks};
 
@@ -92,7 +93,7 @@ impl Viewport {
     }
 
     /// Paints the small picture with its frame and title, and closes it when asked.
-    pub(super) fn paint_side(&mut self, ui: &Ui, editor: &Editor, selection: &Selection, lean: bool) {
+    pub(super) fn paint_side(&mut self, ui: &Ui, editor: &Editor, selection: &Selection, quality: Quality) {
         let Some(side) = self.side() else { return };
         let scale = ui.ctx().pixels_per_point();
         let hovered = self.hovered().or(self.hinted);
@@ -100,8 +101,9 @@ impl Viewport {
         marks::draw(&mut drawing, editor, selection, hovered.as_slice(), self.marks);
         guides::draw(&mut drawing, editor, &self.guides);
         let lit = Lit { selected: selection.bones(), hovered };
-        let picture = Picture::new(editor, side.camera, side.rect, scale, drawing.overlay, lit, lean);
-        let picture = picture.in_light(!ui.visuals().dark_mode).in_second_slot();
+        let look = quality.of(self.look(ui));
+        let picture = Picture::new(editor, side.camera, side.rect, scale, drawing.overlay, lit, look);
+        let picture = picture.in_second_slot();
         let painter = ui.painter();
         painter.add(egui_wgpu::Callback::new_paint_callback(side.rect, picture));
         let stage = Stage { sight: side.sight(), ..self.stage(editor, selection.active()) };

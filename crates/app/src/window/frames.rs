@@ -100,6 +100,7 @@ impl Shown {
 impl Frames {
     fn draw(&mut self, event_loop: &ActiveEventLoop) {
         let Some(shown) = &mut self.shown else { return };
+        let (begin, pictures) = (Instant::now(), shown.painter.pictures());
         // The frame comes first: once egui has run, its output must be painted or textures are lost.
         let Some(frame) = shown.screen.acquire() else { return };
         self.wake = None;
@@ -118,7 +119,11 @@ impl Frames {
         shown.window.pre_present_notify();
         shown.painter.gpu().queue.present(frame);
         self.count += 1;
-        log::debug!("frame {}", self.count);
+        let took = begin.elapsed();
+        log::debug!("frame {}: {:.1} ms", self.count, took.as_secs_f64() * 1e3);
+        if shown.painter.pictures() > pictures {
+            self.session.viewport.took(self.ctx.input(|i| i.time), took.as_secs_f32());
+        }
         if let (Some(path), Some(tree)) = (&self.ui_map, tree) {
             ui_map::write(path, self.count, &self.session, &tree, self.ctx.pixels_per_point());
         }

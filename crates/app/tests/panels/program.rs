@@ -10,7 +10,7 @@ use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use rig::{Bone, Dof, Limb};
 
-use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, shown, steps};
+use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, set_number, shown, steps};
 
 /// A window of that size that keeps its settings in a folder.
 fn configured(folder: &Path, size: egui::Vec2) -> Hand {
@@ -286,17 +286,127 @@ fn what_the_view_shows_is_saved_as_a_picture() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("view.png");
     let mut hand = at(LEFT_ARM);
-    hand.state_mut().viewport.picture_size = [160, 100];
     press(&mut hand, Modifiers::NONE, Key::F12);
     press(&mut hand, Modifiers::COMMAND, Key::A);
     hand.event(Event::Text(path.display().to_string()));
     hand.run();
+    set_number(&mut hand, "Width of the picture", 160.0);
+    set_number(&mut hand, "Height of the picture", 100.0);
     click(&mut hand, "Save the picture now");
+    saved(&mut hand);
     let picture = image::open(&path).unwrap().into_rgba8();
     assert_eq!(picture.dimensions(), (160, 100), "{:?}", hand.state().status());
     let (middle, corner) = (picture.get_pixel(80, 40), picture.get_pixel(4, 4));
     assert_ne!(middle, corner, "there is a figure in it");
     assert!(!hand.state().status().fault);
+}
+
+/// Waits until the picture that is being saved is there.
+fn saved(hand: &mut Hand) {
+    for _ in 0..1200 {
+        if !hand.state().is_saving() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(25));
+        hand.step();
+    }
+    panic!("still saving: {:?}", hand.state().status());
+}
+
+/// Opens the dialog for pictures with that path.
+fn ask_for_picture(hand: &mut Hand, path: &Path) {
+    press(hand, Modifiers::NONE, Key::F12);
+    press(hand, Modifiers::COMMAND, Key::A);
+    hand.event(Event::Text(path.display().to_string()));
+    hand.run();
+}
+
+#[test]
+fn pass_background_turn_and_keypoints_are_chosen_in_the_dialog_and_remembered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    ask_for_picture(&mut hand, &folder.path().join("round"));
+    set_number(&mut hand, "Width of the picture", 64.0);
+    set_number(&mut hand, "Height of the picture", 48.0);
+    click(&mut hand, "Clay");
+    click(&mut hand, "Clear background");
+    click(&mut hand, "Turn once around the figure");
+    set_number(&mut hand, "Frames of the turn", 3.0);
+    click(&mut hand, "Keypoints beside it (OpenPose JSON)");
+    click(&mut hand, "Save the picture now");
+    saved(&mut hand);
+    assert!(hand.state().status().message.contains("3 frames"), "{:?}", hand.state().status());
+    let film = std::fs::read(folder.path().join("round.webp")).unwrap();
+    assert!(film.windows(4).filter(|window| window == b"ANMF").count() == 3, "a film of three frames");
+    for i in 1..=3 {
+        assert!(folder.path().join(format!("round-000{i}.json")).exists(), "keypoints of frame {i}");
+    }
+    let text = kept(folder.path(), "settings.ron");
+    for word in ["style: \"clay\"", "transparent: true", "turntable: true", "frames: 3", "keypoints: true"] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+    let next = configured(folder.path(), WINDOW);
+    assert_eq!(next.state().settings().picture.size, [64, 48]);
+    assert_eq!(next.state().viewport.picture_size, [64, 48], "the frame of the picture camera follows");
+}
+
+#[test]
+fn saving_goes_on_beside_the_window_and_can_be_stopped() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("long.webp");
+    let mut hand = at(LEFT_ARM);
+    ask_for_picture(&mut hand, &path);
+    click(&mut hand, "Full HD");
+    click(&mut hand, "Turn once around the figure");
+    set_number(&mut hand, "Frames of the turn", 1000.0);
+    click(&mut hand, "Save the picture now");
+    assert!(hand.state().is_saving());
+    hand.get_by_label("Saving long.webp");
+    set(&mut hand, ELBOW, 33.0);
+    assert_eq!(pose(&hand).angles(Bone::LeftLowerArm).flexion, 33.0, "the window goes on");
+    ask_for_picture(&mut hand, &folder.path().join("second.webp"));
+    click(&mut hand, "Save the picture now");
+    assert!(hand.state().status().fault && hand.state().status().message.contains("still being saved"));
+    click(&mut hand, "Stop saving");
+    saved(&mut hand);
+    assert!(hand.state().status().message.contains("stopped"), "{:?}", hand.state().status());
+    assert_eq!(folder.path().read_dir().unwrap().count(), 0, "nothing half is left");
+}
+
+#[test]
+fn a_picture_that_can_t_be_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = at(LEFT_ARM);
+    for (name, words) in [("a.bmp", ".webp"), ("missing/a.png", "no such file or folder")] {
+        ask_for_picture(&mut hand, &folder.path().join(name));
+        click(&mut hand, "Save the picture now");
+        saved(&mut hand);
+        let status = hand.state().status();
+        assert!(status.fault && status.message.contains(words), "{name}: {status:?}");
+    }
+}
+
+#[test]
+fn the_look_of_the_figure_is_chosen_in_the_menu_and_by_keys_and_remembered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = configured(folder.path(), WINDOW);
+    click(&mut hand, "View");
+    click(&mut hand, "Line drawing");
+    click(&mut hand, "View");
+    click(&mut hand, "Joint planes");
+    click(&mut hand, "View");
+    click(&mut hand, "Ambient occlusion");
+    assert!(kept(folder.path(), "settings.ron").contains("style: \"line\""));
+    let next = configured(folder.path(), WINDOW);
+    let finish = next.state().settings().finish;
+    assert_eq!((finish.joint_planes, finish.ambient_occlusion), (true, false));
+    assert_eq!(next.state().is_on(Action::LineLook), Some(true));
+    assert_eq!(next.state().is_on(Action::ClayLook), Some(false));
+    press(&mut hand, Modifiers::NONE, Key::K);
+    assert_eq!(hand.state().is_on(Action::StudioLook), Some(true), "after the last comes the first");
+    press(&mut hand, Modifiers::SHIFT, Key::K);
+    assert_eq!(hand.state().is_on(Action::JointPlanes), Some(false));
+    assert_eq!(hand.state().viewport.finish, hand.state().settings().finish);
 }
 
 #[test]

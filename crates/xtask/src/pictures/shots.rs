@@ -307,13 +307,17 @@ impl Tile {
         let [left, top, width, height] = self.crop;
         let fits = left + width <= rendered.width() && top + height <= rendered.height();
         ensure!(fits, "{}: the crop is larger than the picture", self.file);
-        let mut part = imageops::crop_imm(&rendered, left, top, width, height).to_image();
-        part.pixels_mut().for_each(|pixel| pixel.0 = rounded(pixel.0));
-        Ok(part)
+        Ok(rounded(imageops::crop_imm(&rendered, left, top, width, height).to_image()))
     }
 }
 
-fn rounded([red, green, blue]: [u8; 3]) -> [u8; 3] {
+/// With colours of which there are fewer; once more changes nothing.
+pub fn rounded(mut picture: RgbImage) -> RgbImage {
+    picture.pixels_mut().for_each(|pixel| pixel.0 = rounded_pixel(pixel.0));
+    picture
+}
+
+fn rounded_pixel([red, green, blue]: [u8; 3]) -> [u8; 3] {
     let round = |value: i16| (value + STEP / 2).div_euclid(STEP) * STEP;
     let channel = |value: i16| value.clamp(0, 255) as u8;
     let [red, green, blue] = [red, green, blue].map(i16::from);
