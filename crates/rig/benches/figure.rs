@@ -10,7 +10,7 @@ mod yardstick;
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::DVec3;
 use interchange::figure::{bare_mannequin, mannequin};
-use rig::{Bone, Contact, Dof, Figure, Limb, Palette, Pose, Space, Target};
+use rig::{Bone, Contact, Dof, Figure, Limb, Palette, Pose, SkinBounds, Space, Target};
 use sampling::each;
 use seeded::Seeded;
 use yardstick::TwoBone;
@@ -111,6 +111,8 @@ fn skin(c: &mut Criterion) {
     each(c, &format!("skin normals, {} vertices", mesh.vertex_count()), palette, |palette| {
         rig::skin_normals(mesh, palette)
     });
+    let (bounds, palette) = (SkinBounds::new(mesh), || Palette::new(&frames(), &rest));
+    each(c, "bounds of the posed skin", palette, |palette| bounds.posed(palette));
 }
 
 fn gestures(c: &mut Criterion) {
