@@ -15,6 +15,7 @@ mod face;
 mod field;
 mod fit;
 mod foot;
+mod fullness;
 mod hand;
 mod head;
 mod leg;

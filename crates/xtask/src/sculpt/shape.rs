@@ -114,7 +114,9 @@ impl Shape {
             Shape::Ellipsoid { center, frame, radii } => {
                 fall((frame.transpose() * (p - *center) / *radii).length_squared())
             }
-            Shape::Ridge(beads) => beads.iter().map(|b| b.share * fall((p - b.at).length_squared() / b.r2)).sum(),
+            Shape::Ridge(beads) => {
+                beads.iter().map(|b| b.share * fall((p - b.at).length_squared() / b.r2)).sum()
+            }
             _ => 0.0,
         }
     }
