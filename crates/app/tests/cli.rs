@@ -126,7 +126,7 @@ fn the_same_command_gives_the_same_bytes_in_every_format() {
     let folder = Folder::new();
     let table = script("hand-on-table.script.ron");
     let has_ffmpeg = Command::new("ffmpeg").arg("-version").output().is_ok();
-    for (name, options) in [
+    for (number, (name, options)) in [
         ("a.png", &["--look", "clay", "--wood", "--keypoints", "KEYS"][..]),
         ("a.webp", &["--transparent", "--yaw", "-30", "--zoom", "1.5"]),
         ("moving.webp", &["--turntable", "3"]),
@@ -134,12 +134,15 @@ fn the_same_command_gives_the_same_bytes_in_every_format() {
         ("a.mp4", &["--turntable", "3", "--fps", "10"]),
         ("{pass}.png", &["--pass", "depth,parts"]),
         ("%02d.png", &["--turntable", "2", "--orthographic"]),
-    ] {
+    ]
+    .into_iter()
+    .enumerate()
+    {
         if name.ends_with("mp4") && !has_ffmpeg {
             continue;
         }
         let once = |round: &str| {
-            let room = folder.path(&format!("{name}-{round}"));
+            let room = folder.path(&format!("{round}-{number}"));
             fs::create_dir(&room).unwrap();
             let (to, keys) = (room.join(name), room.join("keys.json"));
             let options: Vec<&str> =
