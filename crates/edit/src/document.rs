@@ -1,6 +1,6 @@
 //! What is edited, and what is told of a change.
 
-use rig::{Evaluation, Figure, Limb, Locks, Mechanics, Pose};
+use rig::{Body, Evaluation, Figure, Limb, Locks, Mechanics, Pose};
 
 /// What is edited: the pose, and what gestures have to heed. Only the pose is saved.
 #[derive(Clone, PartialEq, Debug)]
@@ -15,12 +15,21 @@ pub struct Document {
     pub locks: Locks,
     /// Whether what is done on one side is done on the other, too.
     pub symmetry: bool,
+    /// What is made of the figure.
+    pub body: Body,
 }
 
 impl Document {
-    /// A pose with ranges on; no mechanics, locks or symmetry.
+    /// A pose with ranges on; no mechanics, locks or symmetry, the figure as it is.
     pub fn of(pose: Pose) -> Document {
-        Document { pose, ranges: true, mechanics: Mechanics::default(), locks: Locks::NONE, symmetry: false }
+        Document {
+            pose,
+            ranges: true,
+            mechanics: Mechanics::default(),
+            locks: Locks::NONE,
+            symmetry: false,
+            body: Body::AS_IS,
+        }
     }
 
     /// What it comes to. A limb whose root is locked has no elevation to go to.

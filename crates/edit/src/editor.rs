@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use rig::{Bone, Evaluation, Figure, Locks, Mechanics, Pose};
+use rig::{Body, Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
 use crate::symmetry::twin_of;
 use crate::telling::words;
-use crate::{Command, Document, Files, Outcome, Rejected};
+use crate::{Clay, Command, Document, Files, Outcome, Rejected};
 
 /// What can be asked of the editor.
 #[derive(Clone, PartialEq, Debug)]
@@ -43,7 +43,14 @@ pub enum Request {
     Lock(Locks, bool),
     /// Switches live symmetry, as one step of history.
     Symmetry(bool),
+    /// Makes the figure over to a body, as one step of history; the pose is fitted to it.
+    Body(Body),
+    /// Shows what a body would come to, as a gesture; the pose is fitted from the gesture's first state.
+    PreviewBody(Body),
 }
+
+/// The name of the steps that change the body.
+const BODY: &str = "Body";
 
 /// A step of history: the document before it, and its name.
 #[derive(Clone, Debug)]
@@ -56,6 +63,10 @@ struct Step {
 #[derive(Clone, Debug)]
 pub struct Editor {
     figure: Arc<Figure>,
+    /// What the figure is made of, once its body may be changed.
+    clay: Option<Arc<Clay>>,
+    /// The figure as it was when the gesture under way began, where that changes the body.
+    former: Option<Arc<Figure>>,
     document: Document,
     evaluation: Evaluation,
     past: Vec<Step>,
@@ -71,6 +82,8 @@ impl Editor {
         let evaluation = document.evaluated(&figure);
         Editor {
             figure,
+            clay: None,
+            former: None,
             document,
             evaluation,
             past: Vec::new(),
@@ -85,6 +98,17 @@ impl Editor {
         let document = Document::of(pose);
         let evaluation = document.evaluated(&figure);
         Editor { document, evaluation, ..Editor::new(figure) }
+    }
+
+    /// Makes the figure's body changeable: what it is made of, and the body that it has now. Nothing else changes.
+    pub fn give_clay(&mut self, clay: Arc<Clay>, body: Body) {
+        self.clay = Some(clay);
+        self.document.body = body;
+    }
+
+    /// What the figure is made of, if its body may be changed.
+    pub fn clay(&self) -> Option<&Clay> {
+        self.clay.as_deref()
     }
 
     /// The figure.
@@ -162,6 +186,11 @@ impl Editor {
                 self.step(Document { symmetry, ..self.document.clone() }, "Symmetry");
                 Ok(told(format!("Symmetry {}", if symmetry { "on" } else { "off" })))
             }
+            Request::Body(body) => {
+                self.preview_body(body)?;
+                Ok(self.commit())
+            }
+            Request::PreviewBody(body) => self.preview_body(body),
         }
     }
 
@@ -184,6 +213,29 @@ impl Editor {
         }
         self.show_evaluated(document, evaluation);
         Ok(outcome)
+    }
+
+    /// Shows the gesture's first pose on the figure with another body.
+    fn preview_body(&mut self, body: Body) -> Result<Outcome, Rejected> {
+        let Some(clay) = self.clay.clone() else {
+            return Err(Rejected("it is not known what this figure's body is made of".to_owned()));
+        };
+        if self.gesture.as_ref().is_some_and(|step| step.name != BODY) {
+            self.commit();
+        }
+        let first = self.first().clone();
+        let is = clay.made(&body)?;
+        if self.gesture.is_none() {
+            self.gesture = Some(Step { document: first.clone(), name: BODY.to_owned() });
+            self.former = Some(self.figure.clone());
+        }
+        let was = self.former.as_ref().unwrap_or(&self.figure);
+        let pose = rig::carried_over(was, &first.pose, &is);
+        self.figure = is;
+        let document = Document { pose, body, ..first };
+        let evaluation = document.evaluated(&self.figure);
+        self.show_evaluated(document, evaluation);
+        Ok(Outcome::default())
     }
 
     fn set_mechanics(&mut self, mechanics: Mechanics) -> Outcome {
@@ -278,6 +330,10 @@ impl Editor {
     }
 
     fn show(&mut self, document: Document) {
+        if let Some(clay) = self.clay.clone().filter(|_| document.body != self.document.body) {
+            // It was made of this body before.
+            self.figure = clay.made(&document.body).unwrap_or_else(|_| self.figure.clone());
+        }
         let evaluation = document.evaluated(&self.figure);
         self.show_evaluated(document, evaluation);
     }

@@ -2,6 +2,7 @@
 
 mod apply;
 mod circle;
+mod clay;
 mod clear;
 mod clipboard;
 mod command;
@@ -35,6 +36,7 @@ mod telling;
 mod typed;
 
 pub use circle::{Circle, NearCircle};
+pub use clay::Clay;
 pub use clear::{clear_place, to_rest};
 pub use clipboard::{copy, copy_parts};
 pub use command::{At, By, Command, Goal, Hold};
