@@ -51,6 +51,8 @@ pub struct Viewport {
     pub finish: Finish,
     /// How well it is drawn while it moves.
     pace: Pace,
+    /// How well it was drawn last.
+    drawn_in: Quality,
     /// Whether the pace is that of an adapter known to be slow.
     slow: bool,
     /// Width and height of the pictures that the picture camera takes, pixels.
@@ -107,6 +109,7 @@ impl Default for Viewport {
             keymap: Keymap::default(),
             finish: Finish::default(),
             pace: Pace::default(),
+            drawn_in: Quality::Full,
             slow: false,
             picture_size: [1280, 800],
             side_view: false,
@@ -256,7 +259,13 @@ impl Viewport {
         if let Some(secs) = self.pace.rests_in(now) {
             ui.ctx().request_repaint_after_secs(secs as f32 + 0.01);
         }
+        self.drawn_in = quality;
         quality
+    }
+
+    /// How well the last frame drew the figure.
+    pub fn drawn_in(&self) -> Quality {
+        self.drawn_in
     }
 
     /// A frame in which the figure was drawn anew took so long, from its begin to its end on the screen.

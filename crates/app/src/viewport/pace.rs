@@ -64,8 +64,10 @@ const LATE_SECS: f32 = 0.045;
 const VERY_LATE_SECS: f32 = 0.1;
 /// So many late frames in a row bring a worse level.
 const LATE_FRAMES: u8 = 2;
-/// A better level that was measured before must have taken less; one that was not is tried below half of it.
+/// A better level that was measured before must have taken less.
 const EARLY_SECS: f32 = 0.034;
+/// One that was not is tried when the present one takes less: a level takes about twice what the next worse one does.
+const UNTRIED_SECS: f32 = 0.024;
 /// So many early frames in a row bring a better level.
 const EARLY_FRAMES: u8 = 12;
 /// So long after the last movement the picture is drawn in full.
@@ -162,7 +164,7 @@ impl Pace {
         let hopeful = match known {
             // After the bar has gone the machine may have become faster: what was known counts no longer.
             Some(secs) if self.barred_until[better.place()] == f64::NEG_INFINITY => secs < EARLY_SECS,
-            _ => own.is_some_and(|secs| secs < EARLY_SECS * 0.5),
+            _ => own.is_some_and(|secs| secs < UNTRIED_SECS),
         };
         if hopeful && now >= self.barred_until[better.place()] {
             self.level = better;

@@ -120,7 +120,8 @@ impl Frames {
         shown.painter.gpu().queue.present(frame);
         self.count += 1;
         let took = begin.elapsed();
-        log::debug!("frame {}: {:.1} ms", self.count, took.as_secs_f64() * 1e3);
+        let quality = self.session.viewport.drawn_in();
+        log::debug!("frame {}: {:.1} ms {quality:?}", self.count, took.as_secs_f64() * 1e3);
         if shown.painter.pictures() > pictures {
             self.session.viewport.took(self.ctx.input(|i| i.time), took.as_secs_f32());
         }
