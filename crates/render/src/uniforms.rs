@@ -211,3 +211,19 @@ fn linear(color: Color) -> [f32; 4] {
 fn linear_from_srgb(c: f32) -> f32 {
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_marked_bone_marks_the_twist_place_of_its_segment() {
+        let places = |bones: &[Bone]| {
+            let [low, high] = mask(bones);
+            (u64::from(high) << 32 | u64::from(low)).count_ones()
+        };
+        assert_eq!(places(&[Bone::Head]), 1);
+        assert_eq!(places(&[Bone::LeftLowerArm, Bone::RightLowerLeg]), 4);
+        assert_eq!(places(&Bone::ALL), PLACES as u32);
+    }
+}
