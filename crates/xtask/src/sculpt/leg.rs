@@ -8,7 +8,7 @@ use super::fit::Fit;
 use super::fullness;
 use super::physique::Physique;
 use super::shape::Shape;
-use super::torso;
+use super::{foot, torso};
 
 /// The drawn places along the leg.
 pub fn fit(skeleton: &Skeleton) -> Fit {
@@ -33,6 +33,7 @@ pub fn leg(skeleton: &Skeleton, physique: &Physique) -> Part {
     knee(&f, bone, &mut leg);
     shank(&f, tone, &mut leg);
     ankle(&f, &mut leg);
+    foot::instep(&foot::fit(skeleton), &mut leg);
     // Folds that the trunk shares.
     let trunk = torso::fit(skeleton);
     torso::groin(&trunk, &mut leg);
@@ -45,12 +46,12 @@ pub fn leg(skeleton: &Skeleton, physique: &Physique) -> Part {
 fn limb(f: &Fit) -> Shape {
     // Height: inner and outer edge, back and front edge, squareness.
     let rows = [
-        (0.990, 0.044, 0.108, -0.040, 0.042, 0.0),
-        (0.945, 0.030, 0.146, -0.064, 0.068, 0.0),
+        (0.990, 0.044, 0.116, -0.040, 0.042, 0.0),
+        (0.945, 0.030, 0.150, -0.064, 0.068, 0.0),
         (0.900, 0.018, 0.166, -0.076, 0.086, 0.05),
-        (0.850, 0.010, 0.1700, -0.079, 0.0945, 0.1),
-        (0.800, 0.0085, 0.1690, -0.077, 0.0985, 0.1),
-        (0.750, 0.0120, 0.1655, -0.0735, 0.0985, 0.1),
+        (0.850, 0.010, 0.1700, -0.086, 0.0945, 0.1),
+        (0.800, 0.0085, 0.1690, -0.0835, 0.0985, 0.1),
+        (0.750, 0.0120, 0.1655, -0.0775, 0.0985, 0.1),
         (0.700, 0.0180, 0.1600, -0.0695, 0.0955, 0.1),
         (0.650, 0.0245, 0.1530, -0.0645, 0.0895, 0.1),
         (0.600, 0.0310, 0.1455, -0.0590, 0.0810, 0.1),
@@ -80,7 +81,7 @@ fn limb(f: &Fit) -> Shape {
 /// Four front muscles with the tailor's muscle inside them, hamstrings, the band outside.
 fn thigh(f: &Fit, tone: f64, leg: &mut Part) {
     // The thigh bone's head at the side, the muscle that stretches the band in front of it.
-    leg.swell(tone * 0.004, f.ball([0.168, 0.885, -0.004], [0.060, 0.085, 0.070]));
+    leg.swell(0.0025, f.ball([0.168, 0.890, -0.004], [0.075, 0.110, 0.080]));
     leg.swell(
         tone * 0.004,
         f.egg([0.136, 0.885, 0.066], [0.110, 0.046, 0.05], [-0.14, -1.0, 0.05], [1.0, 0.0, 0.0]),
@@ -190,7 +191,7 @@ fn knee(f: &Fit, bone: f64, leg: &mut Part) {
         f.egg([0.085, 0.506, 0.056], [0.028, 0.028, 0.028], [0.0, 1.0, 0.1], [1.0, 0.0, 0.0]),
     );
     leg.swell(
-        bone * 0.0030,
+        bone * 0.0036,
         f.ridge(&[
             [0.085, 0.520, 0.054, 0.026],
             [0.086, 0.475, 0.050, 0.026],
@@ -198,10 +199,10 @@ fn knee(f: &Fit, bone: f64, leg: &mut Part) {
             [0.085, 0.380, 0.038, 0.026],
         ]),
     );
-    leg.swell(bone * 0.0030, f.ball([0.087, 0.443, 0.044], [0.028, 0.034, 0.030]));
+    leg.swell(bone * 0.0020, f.ball([0.087, 0.443, 0.044], [0.028, 0.034, 0.030]));
     // Hollows on both sides of the cap and its tendon.
     leg.swell(
-        -bone * 0.0032,
+        -bone * 0.0022,
         f.ridge(&[
             [0.062, 0.565, 0.050, 0.026],
             [0.055, 0.505, 0.042, 0.030],
@@ -210,7 +211,7 @@ fn knee(f: &Fit, bone: f64, leg: &mut Part) {
         ]),
     );
     leg.swell(
-        -bone * 0.0032,
+        -bone * 0.0022,
         f.ridge(&[
             [0.112, 0.570, 0.050, 0.026],
             [0.117, 0.508, 0.042, 0.030],
@@ -249,7 +250,7 @@ fn shank(f: &Fit, tone: f64, leg: &mut Part) {
     );
     // Below the heads the broad muscle shows on both sides.
     leg.swell(
-        -tone * 0.0022,
+        -tone * 0.0014,
         f.ridge(&[
             [0.034, 0.345, -0.030, 0.028],
             [0.056, 0.290, -0.048, 0.032],
@@ -328,8 +329,8 @@ fn ankle(f: &Fit, leg: &mut Part) {
         0.022,
         f.strand(&[
             [0.086, 0.230, -0.032, 0.012],
-            [0.086, 0.150, -0.031, 0.0095],
-            [0.086, 0.100, -0.0335, 0.0085],
+            [0.086, 0.150, -0.0295, 0.0095],
+            [0.086, 0.100, -0.0320, 0.0085],
             [0.086, 0.060, -0.0370, 0.0100],
         ]),
     );

@@ -50,9 +50,9 @@ pub fn part(skeleton: &Skeleton, physique: &Physique) -> Part {
 fn trunk(f: &Fit) -> Shape {
     // Height: back and front edge, half width, squareness.
     let rows = [
-        (0.805, -0.040, 0.050, 0.045, 0.0),
-        (0.835, -0.058, 0.068, 0.094, 0.1),
-        (0.870, -0.074, 0.080, 0.134, 0.2),
+        (0.805, -0.052, 0.050, 0.045, 0.0),
+        (0.835, -0.070, 0.068, 0.094, 0.1),
+        (0.870, -0.078, 0.080, 0.134, 0.2),
         (0.910, -0.083, 0.087, 0.153, 0.25),
         (0.950, -0.084, 0.091, 0.1555, 0.3),
         (0.990, -0.077, 0.0925, 0.149, 0.3),
@@ -81,7 +81,7 @@ fn trunk(f: &Fit) -> Shape {
 /// The seat: large muscle, its fold below, the cleft.
 fn seat(f: &Fit, torso: &mut Part) {
     torso
-        .add(0.05, f.egg([0.083, 0.896, -0.052], [0.084, 0.072, 0.062], [0.30, 1.0, 0.12], [1.0, 0.0, 0.35]));
+        .add(0.06, f.egg([0.078, 0.897, -0.051], [0.086, 0.072, 0.062], [0.26, 1.0, 0.12], [1.0, 0.0, 0.35]));
     torso.meeting(0.010);
     // The middle muscle of the hip, under the crest.
     torso
@@ -175,8 +175,8 @@ fn belly(f: &Fit, tone: f64, torso: &mut Part) {
     );
     for y in [1.146, 1.098, 1.050] {
         torso.swell(
-            -tone * 0.0009,
-            f.egg([0.036, y, 0.102], [0.042, 0.018, 0.03], [1.0, 0.06, 0.0], [0.0, 1.0, 0.0]),
+            -tone * 0.0007,
+            f.egg([0.036, y, 0.102], [0.044, 0.020, 0.03], [1.0, 0.06, 0.0], [0.0, 1.0, 0.0]),
         );
     }
     torso.cut(0.010, f.ball([0.0, 1.044, 0.104], [0.0045, 0.0065, 0.009]));
@@ -184,15 +184,15 @@ fn belly(f: &Fit, tone: f64, torso: &mut Part) {
     torso.swell(tone * 0.006, f.ball([0.0, 0.975, 0.090], [0.105, 0.085, 0.07]));
     // The flank muscle over the crest.
     torso.swell(
-        tone * 0.006,
-        f.egg([0.130, 1.072, 0.015], [0.065, 0.050, 0.085], [0.15, 1.0, -0.2], [1.0, 0.0, 0.0]),
+        tone * 0.0035,
+        f.egg([0.130, 1.074, 0.020], [0.075, 0.055, 0.085], [0.15, 1.0, -0.2], [1.0, 0.0, 0.0]),
     );
 }
 
 /// The rim of the pelvis: its crest and front point, the groin's line, the mound.
 fn hips(f: &Fit, bone: f64, torso: &mut Part) {
     torso.swell(
-        bone * 0.0035,
+        bone * 0.0026,
         f.ridge(&[
             [0.104, 0.970, 0.080, 0.030],
             [0.124, 1.005, 0.056, 0.036],
@@ -201,7 +201,7 @@ fn hips(f: &Fit, bone: f64, torso: &mut Part) {
         ]),
     );
     torso.swell(
-        -bone * 0.0035,
+        -bone * 0.0020,
         f.ridge(&[
             [0.132, 1.045, -0.020, 0.036],
             [0.138, 1.046, 0.016, 0.038],
@@ -210,7 +210,7 @@ fn hips(f: &Fit, bone: f64, torso: &mut Part) {
         ]),
     );
     torso.swell(bone * 0.0025, f.ball([0.112, 0.984, 0.074], [0.032, 0.032, 0.032]));
-    torso.swell(bone * 0.006, f.ball([0.0, 0.888, 0.085], [0.060, 0.050, 0.050]));
+    torso.swell(0.0035, f.ball([0.0, 0.890, 0.085], [0.070, 0.060, 0.055]));
 }
 
 /// The groin's line: thigh and trunk both have it, so that it stays where they join.
@@ -229,7 +229,7 @@ pub fn groin(f: &Fit, part: &mut Part) {
 /// The fold below the seat.
 pub fn seat_fold(f: &Fit, part: &mut Part) {
     part.swell(
-        -0.006,
+        -0.0045,
         f.ridge(&[
             [0.010, 0.826, -0.070, 0.032],
             [0.060, 0.812, -0.090, 0.036],
@@ -274,7 +274,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
         ]),
     );
     torso.swell(
-        -tone * 0.0045,
+        -tone * 0.0036,
         f.ridge(&[
             [0.036, 1.40, -0.090, 0.034],
             [0.040, 1.32, -0.098, 0.040],
@@ -284,7 +284,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
     );
     // Columns and furrow.
     torso.swell(
-        tone * 0.008,
+        tone * 0.0068,
         f.ridge(&[
             [0.034, 1.32, -0.090, 0.040],
             [0.037, 1.19, -0.074, 0.052],
@@ -294,7 +294,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
     );
     torso.meeting(0.008);
     torso.swell(
-        -tone * 0.008,
+        -tone * 0.0068,
         f.ridge(&[
             [0.0, 1.47, -0.070, 0.026],
             [0.0, 1.33, -0.097, 0.036],
@@ -304,7 +304,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
         ]),
     );
     // Dimples of the sacrum.
-    torso.swell(-tone * 0.0035, f.ball([0.042, 0.998, -0.084], [0.028, 0.028, 0.032]));
+    torso.swell(-tone * 0.0030, f.ball([0.042, 0.998, -0.084], [0.036, 0.036, 0.036]));
 }
 
 /// Trapezius from neck to shoulder, and the flat in front of the armpit.
@@ -313,23 +313,26 @@ fn shoulders(f: &Fit, torso: &mut Part) {
     torso.add(
         0.045,
         f.strand(&[
-            [0.030, 1.480, -0.030, 0.026],
-            [0.080, 1.432, -0.028, 0.027],
-            [0.150, 1.402, -0.020, 0.028],
+            [0.028, 1.490, -0.030, 0.025],
+            [0.052, 1.452, -0.030, 0.026],
+            [0.095, 1.416, -0.026, 0.027],
+            [0.155, 1.390, -0.018, 0.027],
         ]),
     );
+    torso.meeting(0.012);
     torso.add(0.045, f.cone([0.022, 1.440, -0.042], 0.034, [0.080, 1.365, -0.056], 0.032));
+    torso.meeting(0.016);
 }
 
 /// Collar bones, the hollows above and below them, the pit between.
 fn collar(f: &Fit, bone: f64, torso: &mut Part) {
     torso.swell(
-        -bone * 0.007,
-        f.egg([0.078, 1.432, 0.040], [0.050, 0.026, 0.034], [1.0, 0.15, -0.3], [0.0, 1.0, 0.0]),
+        -bone * 0.0065,
+        f.egg([0.078, 1.432, 0.040], [0.058, 0.034, 0.042], [1.0, 0.15, -0.3], [0.0, 1.0, 0.0]),
     );
     torso.swell(
-        -bone * 0.004,
-        f.egg([0.118, 1.380, 0.048], [0.034, 0.022, 0.034], [1.0, 0.5, -0.4], [0.0, 1.0, 0.0]),
+        -bone * 0.0032,
+        f.egg([0.120, 1.380, 0.046], [0.042, 0.028, 0.036], [1.0, 0.5, -0.4], [0.0, 1.0, 0.0]),
     );
     torso.add(
         0.014,
@@ -337,9 +340,9 @@ fn collar(f: &Fit, bone: f64, torso: &mut Part) {
             [0.014, 1.389, 0.0545, 0.0085],
             [0.035, 1.393, 0.0560, 0.0070],
             [0.070, 1.402, 0.0500, 0.0062],
-            [0.110, 1.413, 0.0300, 0.0066],
-            [0.150, 1.420, 0.0100, 0.0080],
+            [0.110, 1.408, 0.0300, 0.0066],
+            [0.150, 1.410, 0.0100, 0.0080],
         ]),
     );
-    torso.swell(-bone * 0.008, f.ball([0.0, 1.402, 0.058], [0.016, 0.020, 0.024]));
+    torso.swell(-bone * 0.0065, f.ball([0.0, 1.404, 0.056], [0.024, 0.030, 0.030]));
 }
