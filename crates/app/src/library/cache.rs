@@ -14,7 +14,7 @@ use super::portrait::SIZE;
 use crate::disk;
 
 /// Goes up when portraits are drawn in another manner.
-const MANNER: u64 = 1;
+const MANNER: u64 = 2;
 /// As many portraits are kept on disk, some tens of kilobytes each.
 const MOST: usize = 4000;
 /// The largest file that is taken for a portrait, bytes.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use edit::Editor;
 use glam::DVec3;
-use render::{FigureView, Gpu, GpuError, Image, Keypoints, Renderer, Scene};
+use render::{FigureView, Gpu, GpuError, Image, Keypoints, Pass, Renderer, Scene};
 use rig::{Bone, Bounds, Camera, Evaluation, Figure, Palette, SkinBounds};
 
 use super::keypoints::Landmarks;
@@ -53,6 +53,11 @@ impl Posed {
         Posed { figure: editor.figure().clone(), evaluation: editor.evaluation().clone() }
     }
 
+    /// What moves its skin.
+    pub fn palette(&self) -> Palette {
+        Palette::new(&self.evaluation.frames, &rest_positions(&self.figure))
+    }
+
     /// The box around it.
     pub fn bounds(&self) -> Bounds {
         bounds(&self.figure, &self.evaluation)
@@ -62,7 +67,9 @@ impl Posed {
 /// A device, and the figure that was drawn last.
 pub struct Darkroom {
     renderer: Renderer,
-    drawn: Option<(Arc<Figure>, Landmarks)>,
+    drawn: Option<Arc<Figure>>,
+    /// The figure's keypoints, once they were asked for.
+    landmarks: Option<(Arc<Figure>, Landmarks)>,
 }
 
 impl Darkroom {
@@ -71,7 +78,7 @@ impl Darkroom {
     /// # Errors
     /// None to be had: the sentence that names the cure.
     pub fn open() -> Result<Darkroom, Failure> {
-        Ok(Darkroom { renderer: Renderer::new(&open_gpu()?), drawn: None })
+        Ok(Darkroom { renderer: Renderer::new(&open_gpu()?), drawn: None, landmarks: None })
     }
 
     /// The device.
@@ -85,7 +92,7 @@ impl Darkroom {
     /// A skin at fault, a size that can't be, a driver that complains.
     pub fn image(&mut self, posed: &Posed, camera: Camera, shot: &Shot) -> Result<Image, Failure> {
         self.seat(&posed.figure)?;
-        let (palette, keypoints) = self.prepared(posed);
+        let (palette, keypoints) = self.prepared(posed, shot.pass);
         let figures = [FigureView::new(&palette)];
         let scene = scene(posed, &figures, &keypoints, camera, shot);
         Ok(self.renderer.image(&scene)?)
@@ -103,36 +110,42 @@ impl Darkroom {
         mut take: impl FnMut(&Image) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         self.seat(&posed.figure)?;
-        let (palette, keypoints) = self.prepared(posed);
+        let (palette, keypoints) = self.prepared(posed, shot.pass);
         let figures = [FigureView::new(&palette)];
         let scene = scene(posed, &figures, &keypoints, camera, shot);
         self.renderer.bands(&scene, |band| take(&band.image))
     }
 
     /// The keypoints of a posed figure.
-    ///
-    /// # Errors
-    /// A skin at fault.
-    pub fn keypoints(&mut self, posed: &Posed) -> Result<Keypoints, Failure> {
-        self.seat(&posed.figure)?;
-        Ok(self.prepared(posed).1[0])
+    pub fn keypoints(&mut self, posed: &Posed) -> Keypoints {
+        match &self.landmarks {
+            Some((figure, landmarks)) if Arc::ptr_eq(figure, &posed.figure) => {
+                landmarks.keypoints(&posed.evaluation)
+            }
+            _ => {
+                let landmarks = Landmarks::of(&posed.figure);
+                let points = landmarks.keypoints(&posed.evaluation);
+                self.landmarks = Some((posed.figure.clone(), landmarks));
+                points
+            }
+        }
     }
 
     /// Uploads the figure's skin, unless it is there.
     fn seat(&mut self, figure: &Arc<Figure>) -> Result<(), Failure> {
-        if self.drawn.as_ref().is_some_and(|(former, _)| Arc::ptr_eq(former, figure)) {
+        if self.drawn.as_ref().is_some_and(|former| Arc::ptr_eq(former, figure)) {
             return Ok(());
         }
-        let mesh = figure.skin.clone().unwrap_or_default();
-        self.renderer.set_mesh(0, &mesh)?;
-        self.drawn = Some((figure.clone(), Landmarks::of(figure)));
+        if let Some(mesh) = &figure.skin {
+            self.renderer.set_mesh(0, mesh)?;
+        }
+        self.drawn = Some(figure.clone());
         Ok(())
     }
 
-    fn prepared(&self, posed: &Posed) -> (Palette, [Keypoints; 1]) {
-        let palette = Palette::new(&posed.evaluation.frames, &rest_positions(&posed.figure));
-        let points = self.drawn.as_ref().map(|(_, landmarks)| landmarks.keypoints(&posed.evaluation));
-        (palette, [points.unwrap_or_default()])
+    fn prepared(&mut self, posed: &Posed, pass: Pass) -> (Palette, Vec<Keypoints>) {
+        let points = (pass == Pass::OpenPose).then(|| self.keypoints(posed));
+        (posed.palette(), points.into_iter().collect())
     }
 }
 

@@ -105,7 +105,7 @@ impl Order {
 
     fn write_keypoints(&self, darkroom: &mut Darkroom) -> Result<(), Failure> {
         let Some(naming) = &self.keypoints else { return Ok(()) };
-        let people = [darkroom.keypoints(&self.posed)?];
+        let people = [darkroom.keypoints(&self.posed)];
         for (i, camera) in self.cameras.iter().enumerate() {
             let text = keypoints_text(&people, camera, self.size)?;
             write_atomic(&naming.file("keypoints", i), text.as_bytes())?;

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use glam::Vec3;
 use render::{Image, Look};
-use rig::{Camera, Palette, skin_positions};
+use rig::{Camera, skin_positions};
 
-use super::darkroom::{Darkroom, Posed, rest_positions};
+use super::darkroom::{Darkroom, Posed};
 use super::facts::Facts;
 use super::framing::fit;
 use super::png::{Shape, write_rows};
@@ -149,7 +149,7 @@ impl Sheet {
 fn skin(posed: &Posed) -> Vec<Vec3> {
     let frames = &posed.evaluation.frames;
     match &posed.figure.skin {
-        Some(mesh) => skin_positions(mesh, &Palette::new(frames, &rest_positions(&posed.figure))),
+        Some(mesh) => skin_positions(mesh, &posed.palette()),
         None => frames.0.iter().map(|frame| frame.position.as_vec3()).collect(),
     }
 }
