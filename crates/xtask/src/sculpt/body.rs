@@ -44,23 +44,26 @@ pub fn edge_length(skeleton: &Skeleton, p: DVec3, bend: f64) -> f64 {
     } else {
         0.0165
     };
-    let (turn, least) = match face_detail(p - at(Bone::LeftEye), scale) {
+    let (turn, least, most) = match face_detail(p - at(Bone::LeftEye), scale) {
         Some(fine) => fine,
-        None if hand::near_nail(skeleton, p) => (0.45, 0.0013),
-        None => (0.54, 0.0026),
+        None if hand::near_nail(skeleton, p) => (0.45, 0.0013, 0.0066),
+        None => (0.54, 0.0026, roomy),
     };
-    (turn / bend.max(1.0)).clamp(least * scale, roomy * scale)
+    (turn / bend.max(1.0)).clamp(least * scale, roomy.min(most) * scale)
 }
 
-/// How much an edge may turn (radians) and how short it may be at lids, nose, lips and ear: a place from the eye.
-fn face_detail(p: DVec3, scale: f64) -> Option<(f64, f64)> {
+/// How much an edge may turn (radians), how short and how long it may be at lids, brows, nose, lips and ear: a place
+/// from the eye.
+fn face_detail(p: DVec3, scale: f64) -> Option<(f64, f64, f64)> {
     let near = |x: f64, y: f64, z: f64, reach: f64| p.distance(DVec3::new(x, y, z) * scale) < reach * scale;
     if near(0.0, 0.0, 0.010, 0.022) {
-        Some((0.40, 0.0011))
+        Some((0.40, 0.0011, 0.0050))
     } else if near(-0.031, -0.063, 0.020, 0.031) || near(-0.020, -0.040, 0.028, 0.018) {
-        Some((0.42, 0.0014))
+        Some((0.42, 0.0014, 0.0034))
+    } else if near(0.0, 0.020, 0.012, 0.024) {
+        Some((0.54, 0.0026, 0.0034))
     } else if near(0.042, -0.014, -0.094, 0.040) {
-        Some((0.48, 0.0015))
+        Some((0.48, 0.0015, 0.0080))
     } else {
         None
     }

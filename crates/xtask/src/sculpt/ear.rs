@@ -91,7 +91,7 @@ pub fn ear(skeleton: &Skeleton, physique: &Physique) -> Part {
         ]),
     );
     // The bowl and the hole, then the knob that half covers it.
-    ear.cut(0.0035, plane.ball([0.0095, 0.0010, 0.0040], [0.0068, 0.0098, 0.0062]));
+    ear.cut(0.0035, plane.ball([0.0092, 0.0015, 0.0042], [0.0076, 0.0106, 0.0066]));
     ear.add(
         0.0030,
         plane.line(&[

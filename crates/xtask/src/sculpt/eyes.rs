@@ -5,19 +5,20 @@ use rig::{Bone, Skeleton};
 
 use super::head::{EYE, EYE_RADIUS, head_fit};
 use super::nets::Surface;
-use super::paint::{EYE_WHITE, IRIS, IRIS_RIM, PUPIL};
+use super::paint::{EYE_WHITE, IRIS, IRIS_HEART, IRIS_RIM, PUPIL};
 
 /// Points around a ring.
 const AROUND: usize = 28;
 
 /// Rings from the front pole: cosine and sine of the angle off the line of sight, colour.
 fn rings() -> Vec<(f64, DVec3)> {
-    // Sines: the iris has a radius of 5.8 mm, the pupil of 2.3 mm on a ball of 12.8 mm.
+    // Sines: the iris has a radius of 6 mm, the pupil of 2.4 mm on a ball of 13.6 mm.
     let front = [
         (0.10, PUPIL),
         (0.175, PUPIL),
-        (0.185, IRIS),
-        (0.30, IRIS),
+        (0.185, IRIS_HEART),
+        (0.27, IRIS_HEART),
+        (0.33, IRIS),
         (0.405, IRIS),
         (0.425, IRIS_RIM),
         (0.450, IRIS_RIM),

@@ -151,5 +151,5 @@ fn neck(f: &Fit, head: &mut Part) {
     );
     // The throat's cartilage, the cords of the nape and the hollow between them.
     head.add(0.018, f.ball([0.0, 1.4880, 0.0425], [0.0080, 0.0140, 0.0085]));
-    head.swell(-0.0028, f.cone([0.0, 1.5600, -0.0620], 0.0140, [0.0, 1.5050, -0.0520], 0.0160));
+    head.swell(-0.0018, f.cone([0.0, 1.5500, -0.0640], 0.0240, [0.0, 1.4950, -0.0540], 0.0240));
 }

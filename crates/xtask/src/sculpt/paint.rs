@@ -23,9 +23,11 @@ const CORNER: DVec3 = DVec3::new(0.520, 0.270, 0.225);
 /// The height where the lips meet in the middle, as drawn.
 const SEAM: f64 = 1.5461;
 /// White of the eye, iris and its rim, pupil.
-pub const EYE_WHITE: DVec3 = DVec3::new(0.800, 0.780, 0.740);
+pub const EYE_WHITE: DVec3 = DVec3::new(0.720, 0.690, 0.650);
+/// The iris near the pupil and farther out.
+pub const IRIS_HEART: DVec3 = DVec3::new(0.190, 0.130, 0.075);
 /// The iris.
-pub const IRIS: DVec3 = DVec3::new(0.120, 0.165, 0.175);
+pub const IRIS: DVec3 = DVec3::new(0.140, 0.135, 0.110);
 /// The dark ring around the iris.
 pub const IRIS_RIM: DVec3 = DVec3::new(0.035, 0.045, 0.050);
 /// The pupil.
@@ -98,13 +100,13 @@ fn lips(p: DVec3) -> f64 {
 fn lashes(p: DVec3) -> f64 {
     let d = p - DVec3::from(EYE);
     let edge = ease(0.0017, 0.0007, d.length() - EYE_RADIUS) * ease(0.003, 0.006, d.z);
-    edge * mix(0.22, 0.85, ease(-0.002, 0.001, d.y)) * ease(-0.0118, -0.0080, d.x)
+    edge * mix(0.22, 0.85, ease(-0.002, 0.001, d.y)) * ease(-0.0100, -0.0060, d.x)
 }
 
 /// The moist inner corner of the eye.
 fn corner(p: DVec3) -> f64 {
     let d = p - DVec3::from(EYE);
-    ease(0.0045, 0.0020, d.distance(DVec3::new(-0.0130, -0.0022, 0.0060)))
+    ease(0.0046, 0.0024, d.distance(DVec3::new(-0.0128, -0.0023, 0.0052)))
 }
 
 fn brow(p: DVec3) -> f64 {
