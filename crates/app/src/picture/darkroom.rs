@@ -5,7 +5,7 @@ use std::sync::Arc;
 use edit::Editor;
 use glam::DVec3;
 use render::{FigureView, Gpu, GpuError, Image, Keypoints, Pass, Renderer, Scene};
-use rig::{Bone, Bounds, Camera, Evaluation, Figure, Palette, SkinBounds};
+use rig::{Bone, Bounds, Camera, Evaluation, Figure, Palette, skin_positions};
 
 use super::keypoints::Landmarks;
 use super::shot::Shot;
@@ -27,12 +27,12 @@ pub fn rest_positions(figure: &Figure) -> [DVec3; Bone::COUNT] {
     Bone::ALL.map(|bone| figure.skeleton.rest_position(bone))
 }
 
-/// The box around a posed figure: its skin, or its joints if it has none.
+/// The tightest box around a posed figure: its skin, or its joints if it has none.
 pub fn bounds(figure: &Figure, evaluation: &Evaluation) -> Bounds {
     match &figure.skin {
         Some(mesh) => {
             let palette = Palette::new(&evaluation.frames, &rest_positions(figure));
-            SkinBounds::new(mesh).posed(&palette)
+            Bounds::of(skin_positions(mesh, &palette))
         }
         None => Bounds::of(evaluation.frames.0.iter().map(|f| f.position.as_vec3())),
     }
