@@ -40,6 +40,8 @@ pub enum Dialog {
     SavePath(Option<Intent>),
     /// Asks where to save a picture of the view.
     PicturePath,
+    /// Asks where to save the figure.
+    FigurePath,
     /// Asks what becomes of unsaved changes.
     Unsaved(Intent),
     /// Asks whether another file may be replaced.
@@ -59,13 +61,15 @@ pub enum Writing {
     Pose(PathBuf, Option<Intent>),
     /// A picture of the view.
     Picture(PathBuf),
+    /// The figure with its body.
+    Figure(PathBuf),
 }
 
 impl Writing {
     /// The file.
     pub fn path(&self) -> &Path {
         match self {
-            Writing::Pose(path, _) | Writing::Picture(path) => path,
+            Writing::Pose(path, _) | Writing::Picture(path) | Writing::Figure(path) => path,
         }
     }
 }
@@ -107,6 +111,7 @@ pub struct Dialogs {
 }
 
 const SUFFIX: &str = ".pose.ron";
+const FIGURE_SUFFIX: &str = ".figure.ron";
 
 impl Dialogs {
     /// Whether a dialog is up.
@@ -143,6 +148,13 @@ impl Dialogs {
         self.ask(Dialog::PicturePath);
     }
 
+    /// Asks where to save the figure, beginning in a folder.
+    pub fn save_figure(&mut self, folder: Option<&Path>) {
+        let name = format!("own{FIGURE_SUFFIX}");
+        self.path = folder.map_or(name.clone(), |folder| folder.join(&name).display().to_string());
+        self.ask(Dialog::FigurePath);
+    }
+
     /// Shows what is up; returns what it came to, once. Settings and keys are changed in place.
     pub fn show(
         &mut self,
@@ -160,7 +172,7 @@ impl Dialogs {
         let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
             ui.set_width(self.width(ctx, &dialog));
             match &dialog {
-                Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath => {
+                Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath | Dialog::FigurePath => {
                     (answer, close) = self.path(ui, &dialog, settings);
                 }
                 Dialog::Unsaved(intent) => (answer, close) = asking::unsaved(ui, intent),

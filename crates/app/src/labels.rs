@@ -2,6 +2,14 @@
 
 use rig::{Bone, Dof, Limb, Part, Side};
 
+/// The title of a shipped figure's file: `Child` of `child.figure.ron`; the mannequin is the adult.
+pub fn shipped_figure(file: &str) -> String {
+    let name = file.strip_suffix(".figure.ron").unwrap_or(file);
+    let name = if name == "mannequin" { "adult" } else { name };
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// What people call the joint of a bone, without its side: `Elbow`, `Index base`.
 pub fn joint(bone: Bone) -> &'static str {
     use Bone::*;

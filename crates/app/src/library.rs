@@ -156,7 +156,9 @@ impl Library {
         if !self.read {
             self.read();
         }
-        if let Some(own) = self.portraits.receive(ui.ctx(), editor.figure()) {
+        // A figure whose body is being changed is drawn once it stays.
+        let figure = (!editor.in_gesture()).then(|| editor.figure());
+        if let Some(own) = self.portraits.receive(ui.ctx(), figure) {
             self.take(own);
         }
         self.portraits.watch(ui.ctx(), self.own_folder.clone());

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use edit::{Editor, NoFiles, Request, parse_script, run_script};
+use edit::{Clay, Editor, NoFiles, Request, parse_script, run_script};
 use rig::{Figure, Pose, PosePatch};
 
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
@@ -61,6 +61,16 @@ pub fn figure(path: Option<&Path>) -> Result<Arc<Figure>, Failure> {
         log::warn!("{}: {warning}", path.display());
     }
     Ok(Arc::new(figure))
+}
+
+/// What the figure of a file is made of, and the body that the file gives it.
+///
+/// # Errors
+/// As [`figure`].
+pub fn clay(path: &Path) -> Result<(Arc<Clay>, rig::Body), Failure> {
+    let opened = interchange::figure::open(&figure_text(path)?, &mut beside(path))
+        .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
+    Ok((Arc::new(Clay::new(opened.figure, opened.targets)), opened.body))
 }
 
 /// The text of a figure file, which may be a shipped one.

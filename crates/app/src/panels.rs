@@ -1,6 +1,7 @@
 //! The panel of sliders: one section a part of the body. It shows the editor's pose and returns what is asked for;
 //! of its own it keeps only what is open and what is chosen.
 
+mod body;
 mod body_map;
 mod figure;
 mod glyph;
@@ -51,6 +52,12 @@ pub struct Panels {
     touching: [Space; Limb::ALL.len()],
     /// Whether the picture shows the centre of mass over the soles.
     balance_marks: bool,
+    /// Whether the sliders of the body show.
+    body_open: bool,
+    /// Why they can't, if they can't.
+    body_fault: Option<String>,
+    /// Whether the figure is to be saved with its body.
+    save_figure: bool,
 }
 
 impl Default for Panels {
@@ -72,6 +79,9 @@ impl Default for Panels {
             guides: Guides::default(),
             touching: [Space::World; Limb::ALL.len()],
             balance_marks: false,
+            body_open: false,
+            body_fault: None,
+            save_figure: false,
         }
     }
 }
@@ -110,6 +120,21 @@ impl Panels {
     /// Whether the picture shows the centre of mass over the soles.
     pub fn balance_marks(&self) -> bool {
         self.balance_marks
+    }
+
+    /// Whether the sliders of the body show, and nobody has said yet that they can't.
+    pub fn wants_clay(&self) -> bool {
+        self.body_open && self.body_fault.is_none()
+    }
+
+    /// Tells why the body can't be changed.
+    pub fn refuse_clay(&mut self, why: String) {
+        self.body_fault = Some(why);
+    }
+
+    /// Whether the button was clicked that saves the figure; once.
+    pub fn take_save_figure(&mut self) -> bool {
+        std::mem::take(&mut self.save_figure)
     }
 
     /// Marks the bone whose skin the pointer is on.

@@ -2,6 +2,7 @@
 //! window, in tests and in pictures alike.
 
 mod act;
+mod body;
 mod clipboard;
 mod configure;
 mod files;
@@ -25,6 +26,7 @@ use crate::panels::Panels;
 use crate::settings::{ConfigFolder, Settings};
 use crate::viewport::Viewport;
 use crate::{status_line, theme, toolbar};
+pub use body::MANNEQUIN;
 use recovery::Recovery;
 use saving::Saving;
 
@@ -73,6 +75,8 @@ pub struct Session {
     library: Library,
     /// The pictures that are being made.
     saving: Option<Saving>,
+    /// Where the figure came from.
+    source: body::Source,
 }
 
 impl Session {
@@ -98,6 +102,7 @@ impl Session {
             paste_mirrored: false,
             library: Library::default(),
             saving: None,
+            source: body::Source::default(),
         }
     }
 
@@ -271,6 +276,8 @@ impl Session {
         }
         let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
         self.submit_all(requests);
+        self.take_clay();
+        self.save_figure_if_asked();
     }
 
     fn show_library(&mut self, ui: &mut Ui) {

@@ -8,14 +8,16 @@ mod showing;
 mod ui_map;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use edit::Editor;
+use rig::Figure;
 
 use crate::failure::Failure;
 use crate::keepsafe::Keepsafe;
 use crate::library::Folders;
 use crate::load::{self, Kind};
-use crate::session::Session;
+use crate::session::{MANNEQUIN, Session};
 use crate::settings::ConfigFolder;
 
 pub use offscreen::{session_picture, ui_picture};
@@ -51,7 +53,14 @@ fn session(files: &[PathBuf]) -> Result<Session, Failure> {
             return Err(Failure::Usage(message));
         }
     }
-    let figure = load::figure(figure.map(PathBuf::as_path))?;
+    let file = figure.cloned().unwrap_or_else(|| PathBuf::from(MANNEQUIN));
+    let mut session = posed(load::figure(figure.map(PathBuf::as_path))?, shown)?;
+    session.figure_from(file);
+    Ok(session)
+}
+
+/// The session of a figure in a file's pose, else standing.
+fn posed(figure: Arc<Figure>, shown: Option<&PathBuf>) -> Result<Session, Failure> {
     let Some(path) = shown else {
         let pose = load::standing(&figure);
         return Ok(Session::new(Editor::in_pose(figure, pose), None));

@@ -87,12 +87,8 @@ fn a_cancelled_body_and_one_without_clay_change_nothing() {
     assert_eq!((editor.document(), &**editor.figure()), (&before.0, &*before.1));
     // Poses of the bodies before are not mixed with a turn that follows at once.
     ask(&mut editor, Request::PreviewBody(with(BodySlider::Legs, 1.2)));
-    let turn = Command::Turn {
-        joint: Bone::Head,
-        dof: rig::Dof::Flexion,
-        degrees: 10.0,
-        by: edit::By::Delta,
-    };
+    let turn =
+        Command::Turn { joint: Bone::Head, dof: rig::Dof::Flexion, degrees: 10.0, by: edit::By::Delta };
     ask(&mut editor, Request::Do(turn));
     assert_eq!(editor.document().body, with(BodySlider::Legs, 1.2));
 }

@@ -2,6 +2,7 @@
 //!
 //! Only the left side need be written; the right takes its twins, mirrored in x.
 
+mod based;
 mod file;
 mod keys;
 mod layers;
@@ -19,6 +20,7 @@ use rig::{
 use crate::{Spot, glb, urdf};
 use file::{FigureFile, LimbName};
 use layers::Layers;
+pub use based::{read_body, shipped_bodies, write_based};
 pub use shipped::{LIBRARY, shipped, shipped_by_path, shipped_figures};
 
 /// A fault in a figure file or in a file that it names.

@@ -96,3 +96,26 @@ fn bases_in_a_circle_or_too_deep_are_told() {
     let told = fault("(version: 1, base: \"0.ron\")", &files);
     assert!(told.contains("more than 8 figure files"), "{told}");
 }
+
+#[test]
+fn a_body_is_written_and_read_back() {
+    let body = BodySlider::ALL.into_iter().fold(Body::AS_IS, |body, slider| {
+        body.with(slider, slider.range().min + 0.37 * (slider.range().max - slider.range().min))
+    });
+    let text = figure::write_based("an \"own\" one", "library:mannequin.figure.ron", &body);
+    let own = opened(&text, &[]).unwrap();
+    assert_eq!((own.figure.name.as_str(), own.body), ("an \"own\" one", body));
+    assert_eq!(figure::read_body(&text, &mut |_| Err(String::new())).unwrap(), body);
+    let bare = figure::write_based("bare", "library:mannequin.figure.ron", &Body::AS_IS);
+    assert_eq!(opened(&bare, &[]).unwrap().body, Body::AS_IS);
+}
+
+#[test]
+fn shipped_bodies_differ() {
+    let bodies = figure::shipped_bodies();
+    assert_eq!(bodies[0], ("mannequin.figure.ron", Body::AS_IS));
+    assert_eq!(bodies.len(), figure::shipped_figures().count());
+    for (i, (name, body)) in bodies.iter().enumerate() {
+        assert!(bodies[i + 1..].iter().all(|(_, other)| other != body), "{name} is like another");
+    }
+}

@@ -23,6 +23,8 @@ pub struct Size {
     pub pelvis: f64,
     /// Shoulder to elbow to wrist.
     pub arm: f64,
+    /// Hip to knee to ankle.
+    pub leg: f64,
     /// Wrist to the first joint of the middle finger.
     pub hand: f64,
 }
@@ -48,6 +50,9 @@ impl Size {
             arm: tidy(
                 span(Bone::LeftUpperArm, Bone::LeftLowerArm) + span(Bone::LeftLowerArm, Bone::LeftHand),
             ),
+            leg: tidy(
+                span(Bone::LeftUpperLeg, Bone::LeftLowerLeg) + span(Bone::LeftLowerLeg, Bone::LeftFoot),
+            ),
             hand: tidy(span(Bone::LeftHand, Bone::LeftMiddleProximal)),
         }
     }
@@ -63,14 +68,17 @@ impl Size {
             shoulders: ratio(self.shoulders, other.shoulders),
             pelvis: ratio(self.pelvis, other.pelvis),
             arm: ratio(self.arm, other.arm),
+            leg: ratio(self.leg, other.leg),
             hand: ratio(self.hand, other.hand),
         }
     }
 
     /// Whether every length is that of another to a thousandth.
     pub(crate) fn is_near(&self, other: &Size) -> bool {
-        let Size { hips, ankle, torso, head, shoulders, pelvis, arm, hand } = self.over(other);
-        [hips, ankle, torso, head, shoulders, pelvis, arm, hand].into_iter().all(|r| (r - 1.0).abs() <= 1e-3)
+        let Size { hips, ankle, torso, head, shoulders, pelvis, arm, leg, hand } = self.over(other);
+        [hips, ankle, torso, head, shoulders, pelvis, arm, leg, hand]
+            .into_iter()
+            .all(|r| (r - 1.0).abs() <= 1e-3)
     }
 
     /// For ratios: what takes a point in a bone's joint frame to the same point of the other figure. Limbs are as much
@@ -86,7 +94,7 @@ impl Size {
                 DVec3::new(self.arm, thick, thick)
             }
             Bone::LeftUpperLeg | Bone::LeftLowerLeg | Bone::RightUpperLeg | Bone::RightLowerLeg => {
-                DVec3::new(thick, self.hips, thick)
+                DVec3::new(thick, self.leg, thick)
             }
             Bone::LeftFoot | Bone::RightFoot | Bone::LeftToes | Bone::RightToes => DVec3::splat(self.ankle),
             _ if bone.part() == Part::Head => DVec3::splat(self.head),

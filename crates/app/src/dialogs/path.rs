@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use egui::{Context, Id, Key, RichText, TextEdit, Ui};
 
 use super::listing::Pick;
-use super::{Answer, Dialog, Dialogs, SUFFIX, Writing, picture};
+use super::{Answer, Dialog, Dialogs, FIGURE_SUFFIX, SUFFIX, Writing, picture};
 use crate::picture::Format;
 use crate::settings::Settings;
 
@@ -20,6 +20,7 @@ impl Dialogs {
         let (title, verb, what) = match dialog {
             Dialog::OpenPath => ("Open a pose", "Open", "pose"),
             Dialog::PicturePath => ("Save the picture", "Save", "picture"),
+            Dialog::FigurePath => ("Save the figure", "Save", "figure"),
             _ => ("Save the pose", "Save", "pose"),
         };
         ui.heading(title);
@@ -112,6 +113,7 @@ impl Dialogs {
     fn answer_of(&self, dialog: &Dialog, path: PathBuf) -> Answer {
         match dialog {
             Dialog::SavePath(then) => Answer::Write(Writing::Pose(with_suffix(path, SUFFIX), then.clone())),
+            Dialog::FigurePath => Answer::Write(Writing::Figure(with_suffix(path, FIGURE_SUFFIX))),
             Dialog::PicturePath => Answer::Write(Writing::Picture(with_suffix(path, self.picture_ending))),
             _ => Answer::Open(path),
         }
@@ -142,7 +144,7 @@ fn select_name(ui: &Ui, id: Id, path: &str) {
     use egui::text::{CCursor, CCursorRange};
     let start = path.rfind(['/', '\\']).map_or(0, |i| i + 1);
     let pictures = Format::ALL.map(|format| format!(".{}", format.ending()));
-    let mut suffixes = std::iter::once(SUFFIX).chain(pictures.iter().map(String::as_str));
+    let mut suffixes = [SUFFIX, FIGURE_SUFFIX].into_iter().chain(pictures.iter().map(String::as_str));
     let bare = suffixes.find_map(|suffix| path.strip_suffix(suffix));
     let end = bare.map_or(path.len(), str::len).max(start);
     let chars = |bytes: usize| CCursor::new(path[..bytes].chars().count());
@@ -160,6 +162,7 @@ fn browse(ctx: &Context, dialog: &Dialog, path: &str) -> Receiver<Option<PathBuf
         Dialog::PicturePath => {
             rfd::FileDialog::new().add_filter("Pictures", &Format::ALL.map(Format::ending))
         }
+        Dialog::FigurePath => rfd::FileDialog::new().add_filter("Figures", &["ron"]),
         _ => rfd::FileDialog::new().add_filter("Poses", &["ron"]),
     };
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {

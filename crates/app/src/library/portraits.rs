@@ -65,10 +65,13 @@ impl Portraits {
         }
     }
 
-    /// What came from the thread: portraits are taken in here, a changed folder is handed on.
-    pub fn receive(&mut self, ctx: &Context, figure: &Arc<Figure>) -> Option<Vec<Entry>> {
+    /// What came from the thread: portraits are taken in here, a changed folder is handed on. Portraits are
+    /// those of the figure given last.
+    pub fn receive(&mut self, ctx: &Context, figure: Option<&Arc<Figure>>) -> Option<Vec<Entry>> {
         self.frame += 1;
-        if !self.figure.as_ref().is_some_and(|former| Arc::ptr_eq(former, figure)) {
+        let same =
+            |figure: &Arc<Figure>| self.figure.as_ref().is_some_and(|former| Arc::ptr_eq(former, figure));
+        if let Some(figure) = figure.filter(|figure| !same(figure)) {
             self.made.clear();
             self.figure = Some(figure.clone());
         }

@@ -26,6 +26,7 @@ impl Sheet<'_> {
         self.ask_moved(moved, |moved| Command::MoveHips { by: moved.shift() });
         self.balance(ui);
         self.mechanics(ui);
+        self.body(ui);
     }
 
     /// Whether the figure stands, and the gesture that brings it over its feet.

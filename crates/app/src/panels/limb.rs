@@ -267,7 +267,7 @@ fn space_words(space: Space) -> String {
 }
 
 /// A drop-down list in a cell.
-fn choice<R>(
+pub(super) fn choice<R>(
     ui: &mut Ui,
     rect: egui::Rect,
     name: &str,

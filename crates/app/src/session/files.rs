@@ -129,6 +129,7 @@ impl Session {
             Answer::Write(writing) | Answer::Replace(writing) => match writing {
                 Writing::Pose(path, then) => self.save_then(&path, then),
                 Writing::Picture(path) => self.save_picture(ui.ctx(), &path),
+                Writing::Figure(path) => self.save_figure(&path),
             },
             Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),

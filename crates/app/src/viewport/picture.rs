@@ -6,7 +6,7 @@ use edit::Editor;
 use egui::Rect;
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use render::{Blit, DrawError, FigureView, Gpu, Image, Look, Overlay, Renderer, Scene};
-use rig::{Bone, Camera, Figure, Mesh, Palette};
+use rig::{Bone, Camera, Figure, Palette};
 
 /// What one picture shows. Equal pictures look equal, so the second of two is not drawn.
 #[derive(Clone, PartialEq, Debug)]
@@ -15,7 +15,7 @@ pub struct Picture {
     size: [u32; 2],
     look: Look,
     palette: Palette,
-    has_skin: bool,
+    shape: Shape,
     selected: Vec<Bone>,
     hovered: Vec<Bone>,
     overlay: Overlay,
@@ -29,6 +29,16 @@ struct Reference(Arc<Image>);
 
 impl PartialEq for Reference {
     fn eq(&self, other: &Reference) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// The figure whose skin is drawn; the same one is one and the same allocation.
+#[derive(Clone, Debug)]
+struct Shape(Arc<Figure>);
+
+impl PartialEq for Shape {
+    fn eq(&self, other: &Shape) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
@@ -60,7 +70,7 @@ impl Picture {
             look,
             // Frames of the world in place of the figure's: the figure's transform is the identity then.
             palette: Palette::new(&editor.evaluation().frames, &rest),
-            has_skin: editor.figure().skin.is_some(),
+            shape: Shape(editor.figure().clone()),
             selected: lit.selected.to_vec(),
             hovered: lit.hovered.into_iter().collect(),
             overlay,
@@ -87,7 +97,6 @@ impl Picture {
 pub struct PictureGpu {
     gpu: Gpu,
     format: wgpu::TextureFormat,
-    figure: Arc<Figure>,
     /// The large picture, and the small one once it was shown: each has textures of its own.
     slots: [Option<Slot>; 2],
     /// Pictures drawn so far.
@@ -99,21 +108,37 @@ struct Slot {
     renderer: Renderer,
     blit: Blit,
     drawn: Option<Picture>,
+    /// The figure whose skin the renderer has.
+    shape: Shape,
 }
 
 impl Slot {
-    fn new(gpu: &Gpu, format: wgpu::TextureFormat, skin: Option<&Mesh>) -> Result<Slot, DrawError> {
-        let mut renderer = Renderer::new(gpu);
-        if let Some(mesh) = skin {
-            renderer.set_mesh(0, mesh)?;
+    fn new(gpu: &Gpu, format: wgpu::TextureFormat, figure: &Arc<Figure>) -> Result<Slot, DrawError> {
+        let mut slot = Slot {
+            renderer: Renderer::new(gpu),
+            blit: Blit::new(gpu, format),
+            drawn: None,
+            shape: Shape(figure.clone()),
+        };
+        slot.upload()?;
+        Ok(slot)
+    }
+
+    fn upload(&mut self) -> Result<(), DrawError> {
+        match &self.shape.0.skin {
+            Some(mesh) => self.renderer.set_mesh(0, mesh),
+            None => Ok(()),
         }
-        Ok(Slot { renderer, blit: Blit::new(gpu, format), drawn: None })
     }
 
     /// Draws a picture unless it is the one drawn before; whether it did.
     fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) -> Result<bool, DrawError> {
         if self.drawn.as_ref() == Some(picture) {
             return Ok(false);
+        }
+        if self.shape != picture.shape {
+            self.shape = picture.shape.clone();
+            self.upload()?;
         }
         if self.drawn.as_ref().and_then(|drawn| drawn.backdrop.as_ref()) != picture.backdrop.as_ref() {
             self.renderer.set_backdrop(picture.backdrop.as_ref().map(|reference| &*reference.0))?;
@@ -123,7 +148,7 @@ impl Slot {
             hovered: &picture.hovered,
             ..FigureView::new(&picture.palette)
         };
-        let figures = if picture.has_skin { std::slice::from_ref(&figure) } else { &[] };
+        let figures = if picture.shape.0.skin.is_some() { std::slice::from_ref(&figure) } else { &[] };
         let scene = Scene {
             look: picture.look,
             overlay: &picture.overlay,
@@ -146,16 +171,16 @@ impl PictureGpu {
         format: wgpu::TextureFormat,
         figure: &Arc<Figure>,
     ) -> Result<PictureGpu, DrawError> {
-        let first = Slot::new(gpu, format, figure.skin.as_ref())?;
+        let first = Slot::new(gpu, format, figure)?;
         let slots = [Some(first), None];
-        Ok(PictureGpu { gpu: gpu.clone(), format, figure: figure.clone(), slots, count: 0 })
+        Ok(PictureGpu { gpu: gpu.clone(), format, slots, count: 0 })
     }
 
     fn draw(&mut self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) {
         let Some(place) = self.slots.get_mut(picture.slot) else { return };
         let slot = match place.take() {
             Some(slot) => Ok(slot),
-            None => Slot::new(&self.gpu, self.format, self.figure.skin.as_ref()),
+            None => Slot::new(&self.gpu, self.format, &picture.shape.0),
         };
         let drawn = slot.and_then(|slot| place.insert(slot).draw(encoder, picture));
         match drawn {

@@ -1,6 +1,7 @@
 //! The window's controls, found by their labels and driven as a hand would, without a display.
 #![allow(clippy::unwrap_used)]
 
+mod body;
 mod files;
 mod grabbing;
 mod hand;
