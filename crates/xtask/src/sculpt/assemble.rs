@@ -7,6 +7,7 @@ use super::eyes;
 use super::field::{Field, Lookup};
 use super::nets::{Surface, polygonize};
 use super::paint;
+use super::relax::relax;
 use super::remesh::Remesh;
 use super::shape::Bounds;
 use super::weights::{Weigher, half_shares, rounded};
@@ -48,17 +49,20 @@ pub fn mesh(
 }
 
 fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex> {
-    let shares = half_shares(half, &Weigher::new(skeleton, lookup.field));
-    let faces = face_normals(half);
+    let mut shares = half_shares(half, &Weigher::new(skeleton, lookup.field));
+    let upright = |(place, face): (&DVec3, DVec3)| {
+        // In a crease the field has no one slope; there the triangles decide.
+        let slope = lookup.normal(*place);
+        if slope.dot(face) > 0.5 { slope } else { face }
+    };
+    let normals: Vec<DVec3> = half.points.iter().zip(face_normals(half)).map(upright).collect();
+    relax(half, &normals, skeleton, &mut shares).tell();
     half.points
         .iter()
         .zip(&shares)
-        .zip(&faces)
-        .map(|((&place, shares), &face)| {
-            // In a crease the field has no one slope; there the triangles decide.
-            let slope = lookup.normal(place);
-            let normal = if slope.dot(face) > 0.5 { slope } else { face };
-            let (joints, weights) = rounded(shares);
+        .zip(normals)
+        .map(|((&place, shares), normal)| {
+            let (joints, weights) = rounded(shares, skeleton, place);
             Vertex { place, normal, color: paint::skin(skeleton, lookup, place, normal), joints, weights }
         })
         .collect()

@@ -5,13 +5,17 @@
 
 mod arm;
 mod assemble;
+mod bend;
 mod blend;
 mod body;
+mod buried;
 mod character;
 mod curve;
 mod ear;
+mod extremes;
 mod eyes;
 mod face;
+mod faults;
 mod field;
 mod fit;
 mod foot;
@@ -25,8 +29,13 @@ mod part;
 mod physique;
 mod posing;
 mod preview;
+mod relax;
 mod remesh;
+mod rings;
 mod shape;
+mod stances;
+#[cfg(test)]
+mod sweep_tests;
 #[cfg(test)]
 mod target_tests;
 mod targets;

@@ -10,7 +10,7 @@ use super::physique::Physique;
 use super::posing::{FIST, FISTS, JAW, RELAXED, REST, SEATED, Stance, posed};
 use super::preview::{Light, Model, Shot, draw, tiled};
 use super::shape::Bounds;
-use super::{assemble, body};
+use super::{assemble, body, extremes};
 
 const TILE: (u32, u32) = (560, 560);
 
@@ -114,9 +114,11 @@ pub fn run(order: &[String], skeleton: &Skeleton) -> anyhow::Result<()> {
     }
     let field = body::field(skeleton, &physique);
     let size = |p: DVec3, bend: f64| body::edge_length(skeleton, p, bend);
-    let mesh = assemble::mesh(&field, skeleton, only.bounds(skeleton).as_ref(), size);
+    let mut mesh = assemble::mesh(&field, skeleton, only.bounds(skeleton).as_ref(), size);
+    rig::spread_twist(&mut mesh, skeleton);
     println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
-    write(&mesh, skeleton, Path::new(folder), only)
+    write(&mesh, skeleton, Path::new(folder), only)?;
+    if only == Only::Everything { extremes::write(&mesh, skeleton, Path::new(folder), "") } else { Ok(()) }
 }
 
 /// A physique from `name=number` pairs with commas between.

@@ -1,13 +1,15 @@
 //! Which bones move which part of the skin: eased along the bones, told apart by the parts of the field.
 
 use glam::DVec3;
-use rig::{Bone, Side, Skeleton};
+use rig::{Bone, Skeleton};
 
+use super::bend::{Bend, ramp};
 use super::blend::{ease, mix};
 use super::field::{Field, Region};
 use super::fit::figure_scale;
-use super::hand::{FINGERS, fingertip};
+use super::hand::{FINGERS, fingertip, nail_side};
 use super::nets::Surface;
+use super::rings::Rings;
 
 /// Shares of all bones; they sum to 1.
 pub type Shares = [f64; Bone::COUNT];
@@ -58,17 +60,24 @@ impl<'a> Weigher<'a> {
     /// How much of a point belongs to the arm beyond the shoulder joint.
     fn arm_share(&self, p: DVec3) -> f64 {
         let d = self.from(Bone::LeftUpperArm, p);
+        let closes = [(DVec3::NEG_Y, 1.35), (DVec3::Y, 1.5), (DVec3::Z, 2.1), (DVec3::NEG_Z, 1.2)];
+        let bend = Bend { closes: &closes, least: 0.040, most: 0.078 };
         // The skin over the joint turns early, the armpit late; the flank below it not at all.
-        let middle = mix(0.010, -0.012, ease(-0.05, 0.05, d.y));
-        ease(middle - 0.050, middle + 0.050, d.x) * ease(-0.125, -0.055, d.y + 0.5 * d.x.max(0.0))
+        let middle = mix(-0.026, -0.010, ease(-0.05, 0.05, d.y));
+        bend.share(d, d.x - middle) * ease(-0.105, -0.042, d.y + 0.5 * d.x.max(0.0))
     }
 
     fn arm(&self, p: DVec3, share: f64, shares: &mut Shares) {
         if share <= 0.0 {
             return;
         }
-        let fore = ease(-0.042, 0.052, self.from(Bone::LeftLowerArm, p).x);
-        let hand = ease(-0.026, 0.016, self.from(Bone::LeftHand, p).x);
+        let elbow = self.from(Bone::LeftLowerArm, p);
+        let fore = Bend { closes: &[(DVec3::Z, 2.62)], least: 0.032, most: 0.100 };
+        // Inside, the fold lies a little beyond the joint: so it stays shallow.
+        let fore = fore.share(elbow, elbow.x - 0.018 * ease(0.0, 0.03, elbow.z));
+        let wrist = self.from(Bone::LeftHand, p);
+        let closes = [(DVec3::NEG_Y, 1.4), (DVec3::Y, 1.22), (DVec3::Z, 0.35), (DVec3::NEG_Z, 0.52)];
+        let hand = Bend { closes: &closes, least: 0.024, most: 0.04 }.share(wrist, wrist.x + 0.003);
         shares[Bone::LeftUpperArm.index()] += share * (1.0 - fore);
         shares[Bone::LeftLowerArm.index()] += share * fore * (1.0 - hand);
         if hand > 0.0 {
@@ -81,7 +90,7 @@ impl<'a> Weigher<'a> {
         let d = self.field.part_distances(p)[self.thumb] / self.scale;
         let [base, next, _] = FINGERS[0].map(|b| self.at(b));
         let t = (p - base).dot((next - base).normalize_or_zero()) / self.scale;
-        let thumb = ease(0.013, 0.0, d) * ease(-0.010, 0.024, t);
+        let thumb = ramp((0.012 - d) / 0.022) * ease(-0.016, 0.040, t);
         // In the web between thumb and index finger only the stronger one pulls.
         let both = part.min(thumb);
         let (part, thumb) = (part - both, thumb - both);
@@ -99,11 +108,13 @@ impl<'a> Weigher<'a> {
         let to_border = 0.5 * (aside(second) - aside(first)) / self.scale;
         let d = self.from(FINGERS[first][0], p);
         // The web follows half way.
-        let beside = 0.45 + 0.55 * ease(0.0, 0.004, to_border);
+        let beside = 0.45 + 0.55 * ease(0.0, 0.005, to_border);
         let free = ease(0.014, 0.024, d.x);
         // Down the thumb's side nothing follows the index finger.
-        let level = ease(-0.026, -0.015, d.y) * ease(0.0155, 0.0095, aside(first) / self.scale);
-        (first, ease(-0.011, 0.012, d.x) * mix(beside, 1.0, free) * level)
+        let level = ease(-0.028, -0.015, d.y) * ease(0.0165, 0.0095, aside(first) / self.scale);
+        let closes = [(DVec3::NEG_Y, 1.57), (DVec3::Y, 0.6)];
+        let knuckle = Bend { closes: &closes, least: 0.011, most: 0.024 }.share(d, d.x - 0.001);
+        (first, knuckle * mix(beside, 1.0, free) * level)
     }
 
     fn along_finger(&self, p: DVec3, finger: usize, share: f64, shares: &mut Shares) {
@@ -112,12 +123,16 @@ impl<'a> Weigher<'a> {
         }
         let [a, b, c] = FINGERS[finger].map(|bone| self.at(bone));
         let tip = fingertip(self.skeleton, finger);
-        let past = |joint: DVec3, before: DVec3, after: DVec3| {
+        let past = |joint: DVec3, before: DVec3, after: DVec3, angle: f64| {
             let along = (after - joint).normalize_or_zero() + (joint - before).normalize_or_zero();
-            ease(-0.0065, 0.0065, (p - joint).dot(along.normalize_or_zero()) / self.scale)
+            let along = along.normalize_or_zero();
+            let d = (p - joint) / self.scale;
+            let closes = [(-nail_side(finger, along), angle)];
+            Bend { closes: &closes, least: 0.0055, most: 0.0120 }.share(d, d.dot(along))
         };
-        let middle = past(b, a, c);
-        let last = past(c, b, tip);
+        let [middle_angle, last_angle] = if finger == 0 { [1.1, 1.5] } else { [1.92, 1.5] };
+        let middle = past(b, a, c, middle_angle);
+        let last = past(c, b, tip, last_angle);
         let bones = FINGERS[finger];
         shares[bones[0].index()] += share * (1.0 - middle);
         shares[bones[1].index()] += share * middle * (1.0 - last);
@@ -127,11 +142,14 @@ impl<'a> Weigher<'a> {
     /// How much of a point belongs to the leg below the hip joint.
     fn leg_share(&self, p: DVec3) -> f64 {
         let d = self.from(Bone::LeftUpperLeg, p);
-        // The border follows the groin: high outside and in front, low between the legs and under the seat.
-        let below = -d.y + 0.45 * d.x + 0.22 * d.z;
-        let x = p.x / self.scale;
-        let crotch = mix(1.0, 0.3 + 0.7 * ease(0.0, 0.036, x), ease(-0.150, -0.108, d.y));
-        ease(-0.078, 0.085, below) * crotch
+        let closes = [(DVec3::Z, 1.9), (DVec3::X, 1.5), (DVec3::NEG_X, 1.7), (DVec3::NEG_Z, 0.7)];
+        // The border follows the groin: high outside and in front, low under the seat, lowest between the legs.
+        let inward = 0.19 * ramp((-d.x - 0.036) / 0.066);
+        let bend = Bend { closes: &closes, least: 0.080 + 0.35 * inward, most: 0.115 + 0.20 * inward };
+        // In front the fold lies a little down the thigh: so it stays shallow.
+        let lower = inward + 0.035 * ease(0.02, 0.09, d.z) + 0.25 * (-d.z).max(0.0) - 0.2 * d.x.max(0.0);
+        let crotch = mix(1.0, ease(0.004, 0.050, p.x / self.scale), ease(-0.170, -0.100, d.y));
+        bend.share(d, -d.y - lower) * crotch
     }
 
     fn leg(&self, p: DVec3, share: f64, shares: &mut Shares) {
@@ -139,10 +157,15 @@ impl<'a> Weigher<'a> {
             return;
         }
         let knee = self.from(Bone::LeftLowerLeg, p);
-        let shank = ease(0.050, -0.045, knee.y + 0.15 * knee.z);
+        let bend = Bend { closes: &[(DVec3::NEG_Z, 2.7)], least: 0.050, most: 0.125 };
+        let shank = bend.share(knee, -knee.y - 0.016 * ease(0.0, -0.04, knee.z));
         let ankle = self.from(Bone::LeftFoot, p);
-        let foot = ease(-0.030, 0.022, -ankle.y + 0.45 * ankle.z);
-        let toes = ease(-0.014, 0.010, self.from(Bone::LeftToes, p).z) * foot;
+        let closes = [(DVec3::NEG_Z, 0.95), (DVec3::Z, 0.5), (DVec3::X, 0.5), (DVec3::NEG_X, 0.5)];
+        let bend = Bend { closes: &closes, least: 0.028, most: 0.040 };
+        let foot = bend.share(ankle, -ankle.y + 0.45 * ankle.z);
+        let ball = self.from(Bone::LeftToes, p);
+        let bend = Bend { closes: &[(DVec3::Y, 1.14), (DVec3::NEG_Y, 0.7)], least: 0.012, most: 0.02 };
+        let toes = bend.share(ball, ball.z + 0.001) * foot;
         shares[Bone::LeftUpperLeg.index()] += share * (1.0 - shank);
         shares[Bone::LeftLowerLeg.index()] += share * shank * (1.0 - foot);
         shares[Bone::LeftFoot.index()] += share * shank * (foot - toes);
@@ -153,17 +176,17 @@ impl<'a> Weigher<'a> {
         if share <= 0.0 {
             return;
         }
-        let rise = |bone: Bone, reach: f64| ease(-reach, reach, self.from(bone, p).y);
+        let rise = |bone: Bone, reach: f64| ramp(self.from(bone, p).y / reach);
         let x = p.x / self.scale;
         let skull = self.from(Bone::Head, p);
-        let head = ease(-0.034, 0.010, skull.y + 0.010 + 0.70 * skull.z);
-        let neck = head.max(rise(Bone::Neck, 0.050) * ease(0.115, 0.060, x));
-        let top = rise(Bone::UpperChest, 0.070);
-        let chest = rise(Bone::Chest, 0.070);
-        let spine = rise(Bone::Spine, 0.060);
+        // The head's border rises from the throat to the nape; under the chin there is room to fold.
+        let head = ramp((skull.y + 0.020 + 0.55 * skull.z) / (0.034 + 0.25 * skull.z.clamp(0.0, 0.08)));
+        let top = rise(Bone::UpperChest, 0.072);
+        let chest = rise(Bone::Chest, 0.072);
+        let spine = rise(Bone::Spine, 0.065);
         let jaw = self.jaw(p) * head;
-        let joint = self.from(Bone::LeftUpperArm, p);
-        let collar = ease(0.035, 0.125, x) * ease(-0.110, -0.010, joint.y) * (1.0 - neck);
+        let collar = self.collar(p) * (1.0 - head);
+        let neck = head + (1.0 - head - collar) * rise(Bone::Neck, 0.058) * ease(0.150, 0.050, x);
         let mut put = |bone: Bone, part: f64| shares[bone.index()] += share * part;
         put(Bone::Jaw, jaw);
         put(Bone::Head, head - jaw);
@@ -176,6 +199,13 @@ impl<'a> Weigher<'a> {
         put(Bone::Hips, rest * (1.0 - spine) * (1.0 - chest) * (1.0 - top));
     }
 
+    /// Collar bone and shoulder blade: from beside the breast bone outward, down to the blade's tip.
+    fn collar(&self, p: DVec3) -> f64 {
+        let x = p.x / self.scale;
+        let joint = self.from(Bone::LeftUpperArm, p);
+        ramp((x - 0.085) / 0.060) * ease(-0.145, 0.0, joint.y) * ease(0.125, 0.060, joint.y)
+    }
+
     /// Lower lip, chin and the jaw line up to its hinge.
     fn jaw(&self, p: DVec3) -> f64 {
         let d = self.from(Bone::Jaw, p);
@@ -183,46 +213,18 @@ impl<'a> Weigher<'a> {
         // At the corners of the mouth the lips part less than in the middle.
         let corner = ease(0.009, 0.026, p.x / self.scale);
         let width = mix(0.0018, 0.016, ease(0.092, 0.040, d.z).max(0.8 * corner));
-        ease(border + width, border - width, d.y) * ease(-0.005, 0.045, d.z)
+        ease(border + width, border - width, d.y) * ramp((d.z - 0.035) / 0.042)
     }
 }
 
 /// Shares of every vertex of the half mesh, evened out where limbs meet the trunk.
 pub fn half_shares(half: &Surface, weigher: &Weigher<'_>) -> Vec<Shares> {
     let mut all: Vec<Shares> = half.points.iter().map(|p| weigher.shares(*p)).collect();
-    let mut rings: Vec<Vec<u32>> = vec![Vec::new(); all.len()];
-    for [a, b, c] in &half.triangles {
-        for (v, w) in [(a, b), (b, c), (c, a), (b, a), (c, b), (a, c)] {
-            if !rings[*v as usize].contains(w) {
-                rings[*v as usize].push(*w);
-            }
-        }
-    }
+    let rings = Rings::new(half);
     for _ in 0..3 {
-        let before = all.clone();
-        for (v, ring) in rings.iter().enumerate() {
-            if weigher.is_precise(half.points[v]) {
-                continue;
-            }
-            let mut sum = [0.0; Bone::COUNT];
-            for w in ring {
-                sum.iter_mut().zip(&before[*w as usize]).for_each(|(s, w)| *s += w / ring.len() as f64);
-            }
-            if half.points[v].x == 0.0 {
-                sum = balanced(&sum);
-            }
-            for (share, mean) in all[v].iter_mut().zip(&sum) {
-                *share = mix(*share, *mean, 0.5);
-            }
-        }
+        rings.even(&mut all, |v| if weigher.is_precise(half.points[v]) { 0.0 } else { 0.5 });
     }
-    for (v, shares) in all.iter_mut().enumerate() {
-        if half.points[v].x == 0.0 {
-            *shares = balanced(shares);
-        } else {
-            keep_left(shares);
-        }
-    }
+    all.iter_mut().enumerate().for_each(|(v, shares)| rings.tidy(v, shares));
     all
 }
 
@@ -236,34 +238,80 @@ impl Weigher<'_> {
     }
 }
 
-/// Takes away what evening out brought over from the other side.
-fn keep_left(shares: &mut Shares) {
-    for bone in Bone::ALL {
-        if bone.side() == Some(Side::Right) {
-            shares[bone.index()] = 0.0;
+/// Where bones need two of a vertex's four places, because their twist is spread along them when the skin is loaded:
+/// bone, next bone, and the fractions of the way between which it is.
+const TWISTING: [(Bone, Bone, f64, f64); 4] = [
+    (Bone::LeftUpperArm, Bone::LeftLowerArm, 0.1, 0.9),
+    (Bone::LeftLowerArm, Bone::LeftHand, 0.1, 0.9),
+    (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.1, 0.9),
+    (Bone::LeftLowerLeg, Bone::LeftFoot, 0.3, 0.95),
+];
+
+/// Fraction of a segment over which the need comes and goes.
+const NEED: f64 = 0.12;
+
+/// Bones that need two places at a point of the left half, and how urgently: 0 to 1.
+fn twisting(skeleton: &Skeleton, p: DVec3) -> Vec<(Bone, f64)> {
+    let need = |&(bone, next, low, high): &(Bone, Bone, f64, f64)| {
+        let [from, to] = [bone, next].map(|b| skeleton.rest_position(b));
+        let along = (p - from).dot(to - from) / (to - from).length_squared();
+        let outside = (low - along).max(along - high).max(0.0);
+        (bone, (1.0 - outside / NEED).max(0.0))
+    };
+    TWISTING.iter().map(need).filter(|need| need.1 > 0.0).collect()
+}
+
+/// Draws the trunk's shares together where a limb needs the room, to the bone that the limb hangs on.
+fn gathered(shares: &Shares, needs: &[(Bone, f64)]) -> Shares {
+    let mut gathered = *shares;
+    for (limb, base) in [(Bone::LeftUpperArm, Bone::UpperChest), (Bone::LeftUpperLeg, Bone::Hips)] {
+        let need = needs.iter().find(|need| need.0 == limb).map_or(0.0, |need| need.1);
+        for bone in [Bone::Hips, Bone::Spine, Bone::Chest, Bone::UpperChest, Bone::Neck, Bone::Head] {
+            if bone != base && need > 0.0 {
+                let part = gathered[bone.index()] * need;
+                gathered[bone.index()] -= part;
+                gathered[base.index()] += part;
+            }
         }
     }
+    gathered
 }
 
-/// The mean of shares and their mirror image.
-fn balanced(shares: &Shares) -> Shares {
-    std::array::from_fn(|i| 0.5 * (shares[i] + shares[Bone::ALL[i].mirrored().index()]))
+/// How many of the first bones have room in four places.
+fn room(order: &[usize], needs_two: impl Fn(Bone) -> bool) -> usize {
+    let mut taken = 0;
+    let fits = |i: &&usize| {
+        taken += if needs_two(Bone::ALL[**i]) { 2 } else { 1 };
+        taken <= 4
+    };
+    order.iter().take_while(fits).count()
 }
 
-/// The four largest shares as fractions of 65,535 that sum to it exactly.
-pub fn rounded(shares: &Shares) -> ([u8; 4], [u16; 4]) {
-    let mut order: Vec<usize> = (0..Bone::COUNT).filter(|&i| shares[i] > 0.004).collect();
+/// The largest shares, as many as have room in four places, as fractions of 65,535 that sum to it exactly.
+///
+/// The largest share that finds no room is taken off those that do: so nothing jumps between a vertex and its neighbour
+/// where two shares change their order.
+pub fn rounded(shares: &Shares, skeleton: &Skeleton, p: DVec3) -> ([u8; 4], [u16; 4]) {
+    let needs = twisting(skeleton, p);
+    let shares = gathered(shares, &needs);
+    let mut order: Vec<usize> = (0..Bone::COUNT).filter(|&i| shares[i] > 0.002).collect();
     order.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]).then(a.cmp(b)));
-    order.truncate(4);
+    let left_out = |room: usize| order.get(room).map_or(0.0, |&i| shares[i]);
+    let single = room(&order, |_| false);
+    let double = room(&order, |bone| needs.iter().any(|need| need.0 == bone));
+    let urgent = needs.iter().map(|need| need.1).fold(0.0, f64::max);
+    let left_out = mix(left_out(single), left_out(double), urgent);
+    order.truncate(single);
+    order.retain(|&i| shares[i] > left_out);
     if order.is_empty() {
         order.push(Bone::Hips.index());
     }
-    let total: f64 = order.iter().map(|&i| shares[i]).sum();
+    let total: f64 = order.iter().map(|&i| shares[i] - left_out).sum();
     let mut weights = [0u16; 4];
     let mut joints = [0u8; 4];
     for (slot, &i) in order.iter().enumerate() {
         joints[slot] = i as u8;
-        weights[slot] = if total > 0.0 { (shares[i] / total * 65535.0) as u16 } else { 0 };
+        weights[slot] = if total > 1e-9 { ((shares[i] - left_out) / total * 65535.0) as u16 } else { 0 };
     }
     // What rounding left over goes to a bone of the middle if there is one, so that twins stay equal.
     let middle = order.iter().position(|&i| Bone::ALL[i].side().is_none()).unwrap_or(0);

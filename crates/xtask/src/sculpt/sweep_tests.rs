@@ -1,0 +1,248 @@
+//! Every joint of the shipped figure swept through its range, and every shipped pose: no triangle inside out, no limb
+//! that loses its volume, no gap between parts that touch.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::OnceLock;
+
+use glam::{DVec3, Vec3};
+use rig::{Angles, Bone, Figure, Mesh, Palette, Skeleton, skin_positions};
+
+use super::buried::Depths;
+use super::faults::{askew, squeezed};
+use super::stances::{Stance, ends, extremes, palette, relaxed};
+
+/// Steps from rest to each end of a range.
+const STEPS: usize = 2;
+/// How much a limb's middle may swell or shrink.
+const VOLUME: f64 = 0.08;
+/// How far parts may part that touch at rest, metres.
+const GAP_M: f32 = 0.001;
+const REST: [Angles; Bone::COUNT] = [Angles::REST; Bone::COUNT];
+
+fn figure() -> &'static Figure {
+    static FIGURE: OnceLock<Figure> = OnceLock::new();
+    FIGURE.get_or_init(|| interchange::figure::mannequin().unwrap())
+}
+
+fn skin() -> &'static Mesh {
+    figure().skin.as_ref().unwrap()
+}
+
+fn depths() -> &'static Depths {
+    static DEPTHS: OnceLock<Depths> = OnceLock::new();
+    DEPTHS.get_or_init(|| Depths::new(skin()))
+}
+
+/// The stances that leave no limb inside the body, with their palettes.
+fn freed(stances: Vec<Stance>) -> impl Iterator<Item = (Stance, Palette)> {
+    stances.into_iter().filter_map(|stance| depths().freed(&figure().skeleton, stance))
+}
+
+/// Names the triangles that a pose turns inside out, if any: how many, and where the first is.
+fn turned(name: &str, palette: &Palette) -> Option<String> {
+    static ASKEW: OnceLock<HashSet<usize>> = OnceLock::new();
+    let askew = ASKEW.get_or_init(|| askew(skin()).into_iter().collect());
+    let all: Vec<usize> = squeezed(skin(), palette, 0.0).into_iter().filter(|t| !askew.contains(t)).collect();
+    let place = |t: usize| Vec3::from_array(skin().positions[skin().indices[3 * t] as usize]);
+    all.first().map(|t| format!("{name}: {} triangles, the first at rest near {:.3}", all.len(), place(*t)))
+}
+
+#[test]
+fn hardly_a_triangle_lies_askew_at_rest() {
+    let (askew, all) = (askew(skin()).len(), skin().indices.len() / 3);
+    assert!(askew * 1000 < all, "{askew} of {all} triangles");
+}
+
+#[test]
+fn no_joint_turns_a_triangle_inside_out() {
+    let skeleton = &figure().skeleton;
+    let mut stances = extremes(skeleton, &REST, STEPS);
+    // What hanging arms change: the shoulder's surroundings.
+    let near = ["leftShoulder", "upperChest", "neck", "leftUpperLeg"];
+    let hanging = extremes(skeleton, &relaxed(), STEPS);
+    stances.extend(hanging.into_iter().filter(|s| near.iter().any(|b| s.name.starts_with(b))));
+    let faults: Vec<String> = freed(stances).filter_map(|(s, palette)| turned(&s.name, &palette)).collect();
+    assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn no_shipped_pose_turns_a_triangle_inside_out() {
+    let folder = crate::root().join("assets/poses");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).collect();
+    files.sort();
+    let mut faults = Vec::new();
+    for path in files.iter().filter(|p| p.to_string_lossy().ends_with(".pose.ron")) {
+        let patch = rig::parse_pose(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let pose = patch.onto(&figure().rest_pose());
+        let rest = Bone::ALL.map(|b| figure().skeleton.rest_position(b));
+        let palette = Palette::new(&rig::frames(figure(), &pose), &rest);
+        faults.extend(turned(&path.file_name().unwrap().to_string_lossy(), &palette));
+    }
+    assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The middle 70 % of a limb's segment: its triangles, and the edges of its rims, rim by rim.
+struct Slice {
+    triangles: Vec<[u32; 3]>,
+    rims: Vec<Vec<(u32, u32)>>,
+}
+
+impl Slice {
+    fn new(mesh: &Mesh, skeleton: &Skeleton, (bone, next): (Bone, Bone)) -> Slice {
+        let [from, to] = [bone, next].map(|b| skeleton.rest_position(b));
+        let inside = |v: &u32| {
+            let p = DVec3::from(mesh.positions[*v as usize].map(f64::from));
+            let along = (p - from).dot(to - from) / (to - from).length_squared();
+            let aside = (p - from.lerp(to, along)).length();
+            p.x >= 0.0 && (0.15..0.85).contains(&along) && aside < 0.2
+        };
+        let whole = mesh.indices.chunks_exact(3).filter(|t| t.iter().all(inside));
+        let triangles: Vec<[u32; 3]> = whole.map(|t| [t[0], t[1], t[2]]).collect();
+        let sides: HashSet<(u32, u32)> =
+            triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+        let mut rim: Vec<(u32, u32)> =
+            sides.iter().filter(|(a, b)| !sides.contains(&(*b, *a))).copied().collect();
+        rim.sort_unstable();
+        Slice { triangles, rims: connected(&rim) }
+    }
+
+    /// Signed volume, the rims closed by fans about their middles.
+    fn volume(&self, places: &[Vec3]) -> f64 {
+        let at = |v: u32| places[v as usize].as_dvec3();
+        let about = at(self.triangles[0][0]);
+        let tent = |a: DVec3, b: DVec3, c: DVec3| (a - about).dot((b - about).cross(c - about)) / 6.0;
+        let skin: f64 = self.triangles.iter().map(|&[a, b, c]| tent(at(a), at(b), at(c))).sum();
+        let cap = |rim: &Vec<(u32, u32)>| {
+            let middle = rim.iter().map(|e| at(e.0)).sum::<DVec3>() / rim.len() as f64;
+            rim.iter().map(|&(a, b)| tent(at(b), at(a), middle)).sum::<f64>()
+        };
+        skin + self.rims.iter().map(cap).sum::<f64>()
+    }
+}
+
+/// Edges that share vertices, together.
+fn connected(edges: &[(u32, u32)]) -> Vec<Vec<(u32, u32)>> {
+    let mut up: BTreeMap<u32, u32> = BTreeMap::new();
+    fn top(up: &mut BTreeMap<u32, u32>, v: u32) -> u32 {
+        let next = *up.entry(v).or_insert(v);
+        if next == v { v } else { top(up, next) }
+    }
+    for &(a, b) in edges {
+        let (a, b) = (top(&mut up, a), top(&mut up, b));
+        up.insert(a.max(b), a.min(b));
+    }
+    let mut groups: BTreeMap<u32, Vec<(u32, u32)>> = BTreeMap::new();
+    for &edge in edges {
+        groups.entry(top(&mut up, edge.0)).or_default().push(edge);
+    }
+    groups.into_values().collect()
+}
+
+#[test]
+fn limbs_keep_their_volume() {
+    let skeleton = &figure().skeleton;
+    let rest = skin_positions(skin(), &Palette::REST);
+    let mut faults = Vec::new();
+    for (bone, next) in [
+        (Bone::LeftUpperArm, Bone::LeftLowerArm),
+        (Bone::LeftLowerArm, Bone::LeftHand),
+        (Bone::LeftUpperLeg, Bone::LeftLowerLeg),
+        (Bone::LeftLowerLeg, Bone::LeftFoot),
+    ] {
+        let slice = Slice::new(skin(), skeleton, (bone, next));
+        let at_rest = slice.volume(&rest);
+        assert!(slice.rims.len() == 2 && at_rest > 3e-4, "{bone}: {} rims, {at_rest} m3", slice.rims.len());
+        let both = [bone, next].map(|b| ends(skeleton.joint(b).unwrap()));
+        for near in both[0].iter().chain([&Angles::REST]) {
+            for far in both[1].iter().chain([&Angles::REST]) {
+                let mut angles = REST;
+                (angles[bone.index()], angles[next.index()]) = (*near, *far);
+                let name = format!("{bone} {near:?}, {next} {far:?}");
+                let Some((_, palette)) = depths().freed(skeleton, Stance { name: name.clone(), angles })
+                else {
+                    continue;
+                };
+                let part = slice.volume(&skin_positions(skin(), &palette)) / at_rest - 1.0;
+                if part.abs() > VOLUME {
+                    faults.push(format!("{name}: {:+.1} %", 100.0 * part));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Whether a vertex follows a bone with that much of its weight.
+fn follows(v: usize, bone: Bone, least: f32) -> bool {
+    let parts = skin().joints[v].iter().zip(skin().weights[v]);
+    let own = parts.filter(|(j, _)| usize::from(**j) == bone.index()).map(|(_, w)| f32::from(w));
+    own.sum::<f32>() > least * 65535.0
+}
+
+#[test]
+fn lids_keep_touching_the_eyes() {
+    let skeleton = &figure().skeleton;
+    let count = skin().positions.len();
+    for eye in [Bone::LeftEye, Bone::RightEye] {
+        let ball: Vec<usize> = (0..count).filter(|&v| follows(v, eye, 0.9)).collect();
+        let center = |at: &[Vec3]| ball.iter().map(|&v| at[v]).sum::<Vec3>() / ball.len() as f32;
+        let rest = skin_positions(skin(), &Palette::REST);
+        let middle = skeleton.rest_position(eye).as_vec3();
+        assert!(center(&rest).distance(middle) < 0.004, "the ball is not about its joint");
+        let radius = ball.iter().map(|&v| rest[v].distance(middle)).fold(0.0, f32::max);
+        // The rim of the lids: skin that lies against the ball.
+        let against = |v: &usize| {
+            !follows(*v, eye, 0.5)
+                && rest[*v].distance(middle) < radius + 0.5 * GAP_M
+                && rest[*v].z > middle.z
+        };
+        let rim: Vec<usize> = (0..count).filter(against).collect();
+        assert!(rim.len() >= 16, "{} vertices of the lids touch {eye}", rim.len());
+        for stance in ends(skeleton.joint(eye).unwrap()) {
+            let mut angles = REST;
+            angles[eye.index()] = stance;
+            let palette = palette(skeleton, &angles);
+            let posed = skin_positions(skin(), &palette);
+            let middle = palette.point(eye, middle);
+            for &v in &rim {
+                let toward = (posed[v] - middle).normalize();
+                // The ball's own surface in that direction: its vertex nearest to the line.
+                let nearest = ball.iter().map(|&b| posed[b] - middle).max_by(|a, b| {
+                    a.normalize_or_zero().dot(toward).total_cmp(&b.normalize_or_zero().dot(toward))
+                });
+                let gap = posed[v].distance(middle) - nearest.unwrap().length();
+                assert!(gap < GAP_M, "{eye} {stance:?}: {gap} m between ball and lid near {}", rest[v]);
+            }
+        }
+    }
+}
+
+#[test]
+fn shut_lips_stay_shut() {
+    let skeleton = &figure().skeleton;
+    let rest = skin_positions(skin(), &Palette::REST);
+    let mouth = |v: &usize| {
+        let p = rest[*v].as_dvec3() - skeleton.rest_position(Bone::Jaw);
+        p.z > 0.07 && p.y.abs() < 0.06 && p.x.abs() < 0.025
+    };
+    let near: Vec<usize> = (0..rest.len()).filter(mouth).collect();
+    let (lower, upper): (Vec<usize>, Vec<usize>) = near.iter().partition(|v| follows(**v, Bone::Jaw, 0.5));
+    let mut pairs = HashMap::new();
+    for &l in &lower {
+        let u =
+            upper.iter().min_by(|a, b| rest[**a].distance(rest[l]).total_cmp(&rest[**b].distance(rest[l])));
+        if let Some(u) = u.filter(|u| rest[**u].distance(rest[l]) < 0.0035) {
+            pairs.insert(l, *u);
+        }
+    }
+    assert!(pairs.len() > 10, "{} pairs of vertices where the lips meet", pairs.len());
+    let stances = extremes(skeleton, &REST, 1);
+    let moves = ["spine", "chest", "upperChest", "neck", "head"];
+    for stance in stances.into_iter().filter(|s| moves.iter().any(|m| s.name.starts_with(m))) {
+        let posed = skin_positions(skin(), &palette(skeleton, &stance.angles));
+        for (&l, &u) in &pairs {
+            let gap = posed[l].distance(posed[u]) - rest[l].distance(rest[u]);
+            assert!(gap < GAP_M, "{}: the lips part by {gap} m near {}", stance.name, rest[l]);
+        }
+    }
+}
