@@ -46,6 +46,7 @@ pub fn leg(skeleton: &Skeleton, physique: &Physique) -> Part {
 fn limb(f: &Fit) -> Shape {
     // Height: inner and outer edge, back and front edge, squareness.
     let rows = [
+        (1.030, 0.062, 0.100, -0.020, 0.022, 0.0),
         (0.990, 0.044, 0.116, -0.040, 0.042, 0.0),
         (0.945, 0.030, 0.150, -0.064, 0.068, 0.0),
         (0.900, 0.018, 0.166, -0.076, 0.086, 0.05),
