@@ -93,7 +93,7 @@ fn size(ui: &mut Ui, choices: &mut Choices) {
         ui.add(edge(width)).accessible_name("Width of the picture");
         ui.label("×");
         ui.add(edge(height)).accessible_name("Height of the picture");
-        if ui.button("Turn").on_hover_text("Width and height change places").clicked() {
+        if ui.button("Swap").on_hover_text("Width and height change places").clicked() {
             choices.size.reverse();
         }
     });

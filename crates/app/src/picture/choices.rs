@@ -52,26 +52,21 @@ impl Default for Choices {
 }
 
 impl Choices {
-    /// Sizes to choose from.
+    /// Sizes to choose from; those of paper have 300 pixels an inch.
     pub const SIZES: [(&'static str, [u32; 2]); 7] = [
-        ("Window", [1280, 800]),
+        ("1280 × 800", [1280, 800]),
         ("Full HD", [1920, 1080]),
         ("4K", [3840, 2160]),
         ("Square", [1080, 1080]),
         ("Portrait", [1080, 1350]),
-        ("A4 at 300 dpi", [2480, 3508]),
-        ("A3 at 300 dpi", [3508, 4961]),
+        ("A4", [2480, 3508]),
+        ("A3", [3508, 4961]),
     ];
 
     /// A look with what was chosen here.
     #[must_use]
     pub fn on(&self, look: Look) -> Look {
         Look { transparent: self.transparent && self.pass == Pass::Color, grid: self.grid, ..look }
-    }
-
-    /// The size's name, if it is one of those to choose from.
-    pub fn size_name(&self) -> Option<&'static str> {
-        Choices::SIZES.iter().find(|(_, size)| *size == self.size).map(|(name, _)| *name)
     }
 }
 
