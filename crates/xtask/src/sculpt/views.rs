@@ -93,18 +93,21 @@ impl Only {
     }
 }
 
-/// Draws previews: `DIR [--only head|hand|foot|torso|arm|leg] [--physique sex=1,age=-0.5,…]`. With `--only`, nothing
-/// else than that part is sculpted, which takes a few seconds.
+/// Draws previews: `DIR [--only head|hand|foot|torso|arm|leg] [--physique sex=1,age=-0.5,…] [--handshape NAME]`. With
+/// `--only`, nothing else than that part is sculpted, which takes a few seconds. A handshape of the shipped figure
+/// takes the place of the preview's fist.
 ///
 /// # Errors
-/// Unknown options; the folder or a file cannot be written.
+/// Unknown options or handshapes; the folder or a file cannot be written.
 pub fn run(order: &[String], skeleton: &Skeleton) -> anyhow::Result<()> {
     let Some((folder, mut rest)) = order.split_first() else { bail!("--preview needs a folder") };
     let (mut only, mut physique) = (Only::Everything, Physique::NEUTRAL);
+    let mut fist = FIST.to_vec();
     while let [flag, value, more @ ..] = rest {
         match flag.as_str() {
             "--only" => only = Only::named(value)?,
             "--physique" => physique = parsed(value)?,
+            "--handshape" => fist = handshape(value)?,
             _ => bail!("--preview doesn't know `{flag}`"),
         }
         rest = more;
@@ -117,8 +120,15 @@ pub fn run(order: &[String], skeleton: &Skeleton) -> anyhow::Result<()> {
     let mut mesh = assemble::mesh(&field, skeleton, only.bounds(skeleton).as_ref(), size);
     rig::spread_twist(&mut mesh, skeleton);
     println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
-    write(&mesh, skeleton, Path::new(folder), only)?;
+    write(&mesh, skeleton, Path::new(folder), only, &fist)?;
     if only == Only::Everything { extremes::write(&mesh, skeleton, Path::new(folder), "") } else { Ok(()) }
+}
+
+/// The angles of a handshape of the shipped figure.
+fn handshape(name: &str) -> anyhow::Result<Vec<(Bone, [f64; 3])>> {
+    let figure = interchange::figure::bare_mannequin().context("the shipped figure is damaged")?;
+    let shape = figure.handshapes.get(name).with_context(|| format!("there is no handshape `{name}`"))?;
+    Ok(shape.iter().map(|(bone, a)| (*bone, [a.flexion, a.abduction, a.twist])).collect())
 }
 
 /// A physique from `name=number` pairs with commas between.
@@ -138,11 +148,11 @@ fn parsed(text: &str) -> anyhow::Result<Physique> {
     Ok(physique)
 }
 
-fn write(mesh: &Mesh, skeleton: &Skeleton, folder: &Path, only: Only) -> anyhow::Result<()> {
+fn write(mesh: &Mesh, skeleton: &Skeleton, folder: &Path, only: Only, fist: &Stance) -> anyhow::Result<()> {
     std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     for sheet in sheets(skeleton, only) {
-        let model =
-            if sheet.stance.is_empty() { model(mesh) } else { model(&posed(mesh, skeleton, sheet.stance)) };
+        let stance = if sheet.name == "fist" { fist } else { sheet.stance };
+        let model = if stance.is_empty() { model(mesh) } else { model(&posed(mesh, skeleton, stance)) };
         let Sheet { center, height, light, .. } = sheet;
         let shot = |&(yaw, pitch): &(f64, f64)| Shot { yaw, pitch, center, height, size: TILE, light };
         let pictures: Vec<_> = sheet.angles.iter().map(|a| draw(&model, &shot(a), false)).collect();
