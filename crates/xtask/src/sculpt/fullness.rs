@@ -75,19 +75,20 @@ pub fn chest(f: &Fit, physique: &Physique, part: &mut Part) {
     let Ends { male, female, heavy, slender, muscle, child, old } = e;
     raise(
         part,
-        5.0 * male - 3.0 * female + 9.0 * muscle - 3.0 * child - 6.0 * old,
+        5.0 * male - 3.0 * female + 12.0 * muscle - 3.0 * child - 6.0 * old,
         f.egg([0.082, 1.290, 0.085], [0.105, 0.072, 0.075], [1.0, 0.3, -0.4], [0.0, 1.0, 0.0]),
     );
     raise(
         part,
-        14.0 * heavy - 3.0 * slender + 3.0 * child + 5.0 * old,
+        5.0 * heavy - 3.0 * slender + 3.0 * child + 5.0 * old,
         f.egg([0.080, 1.238, 0.088], [0.090, 0.060, 0.070], [1.0, 0.2, -0.4], [0.0, 1.0, 0.0]),
     );
     raise(
         part,
-        7.0 * male - 8.0 * female + 13.0 * heavy - 4.0 * slender - 5.0 * child - 3.0 * old,
+        7.0 * male - 8.0 * female + 9.0 * heavy - 4.0 * slender - 5.0 * child - 3.0 * old,
         f.egg([0.140, 1.230, -0.005], [0.150, 0.090, 0.120], [0.05, 1.0, 0.0], [1.0, 0.0, 0.0]),
     );
+    raise(part, 12.0 * heavy, f.ball([0.060, 1.230, 0.080], [0.150, 0.130, 0.095]));
 }
 
 /// Back: its broad muscle and trapezius, the bent upper spine of age.
@@ -95,12 +96,12 @@ pub fn back(f: &Fit, physique: &Physique, part: &mut Part) {
     let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
     raise(
         part,
-        4.0 * male - 4.0 * female + 12.0 * muscle + 10.0 * heavy - 3.0 * slender - 4.0 * child - 3.0 * old,
+        4.0 * male - 4.0 * female + 15.0 * muscle + 10.0 * heavy - 3.0 * slender - 4.0 * child - 3.0 * old,
         f.egg([0.128, 1.270, -0.055], [0.120, 0.070, 0.075], [0.2, 1.0, 0.0], [1.0, 0.0, 0.4]),
     );
     raise(
         part,
-        4.0 * male - 4.0 * female + 7.0 * muscle + 5.0 * heavy - 2.0 * slender - 4.0 * child - 2.0 * old,
+        4.0 * male - 4.0 * female + 10.0 * muscle + 5.0 * heavy - 2.0 * slender - 4.0 * child - 2.0 * old,
         f.ridge(&[
             [0.035, 1.490, -0.050, 0.050],
             [0.080, 1.440, -0.035, 0.058],
@@ -130,8 +131,13 @@ pub fn belly(f: &Fit, physique: &Physique, part: &mut Part) {
     raise(part, 4.0 * female + 10.0 * heavy + 4.0 * old, f.ball([0.0, 0.960, 0.085], [0.120, 0.090, 0.080]));
     raise(
         part,
-        8.0 * male - 10.0 * female + 33.0 * heavy - 8.0 * slender + 3.0 * child + 4.0 * old,
+        8.0 * male - 10.0 * female + 27.0 * heavy - 8.0 * slender + 3.0 * child + 4.0 * old,
         f.egg([0.130, 1.095, 0.005], [0.130, 0.090, 0.120], [0.05, 1.0, 0.0], [1.0, 0.0, 0.0]),
+    );
+    raise(
+        part,
+        16.0 * heavy,
+        f.egg([0.135, 1.035, -0.010], [0.100, 0.085, 0.130], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]),
     );
 }
 
@@ -157,7 +163,7 @@ pub fn leg(f: &Fit, physique: &Physique, part: &mut Part) {
     let bulk = -2.0 * male + 3.0 * female + 20.0 * heavy - 7.0 * slender - 1.0 * child - 7.0 * old;
     raise(
         part,
-        bulk + 9.0 * muscle,
+        bulk + 13.0 * muscle,
         f.ridge(&[
             [0.110, 0.880, 0.080, 0.100],
             [0.118, 0.740, 0.082, 0.110],
@@ -167,7 +173,7 @@ pub fn leg(f: &Fit, physique: &Physique, part: &mut Part) {
     );
     raise(
         part,
-        bulk + 4.0 * muscle,
+        bulk + 7.0 * muscle,
         f.ridge(&[
             [0.110, 0.850, -0.065, 0.090],
             [0.112, 0.720, -0.062, 0.095],
@@ -218,18 +224,18 @@ pub fn arm(f: &Fit, physique: &Physique, part: &mut Part) {
     let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
     raise(
         part,
-        5.0 * male - 6.0 * female + 10.0 * muscle + 9.0 * heavy - 4.0 * slender - 5.0 * child - 5.0 * old,
+        5.0 * male - 6.0 * female + 14.0 * muscle + 9.0 * heavy - 4.0 * slender - 5.0 * child - 5.0 * old,
         f.egg([0.215, 1.410, 0.000], [0.110, 0.060, 0.075], [1.0, -0.1, 0.0], [0.0, 1.0, 0.0]),
     );
     let bulk = 2.0 * male - 2.0 * female + 14.0 * heavy - 5.0 * slender - 2.0 * child - 6.0 * old;
     raise(
         part,
-        bulk + 8.0 * muscle,
+        bulk + 11.0 * muscle,
         f.ridge(&[[0.200, 1.386, 0.034, 0.060], [0.320, 1.386, 0.038, 0.064], [0.440, 1.386, 0.034, 0.056]]),
     );
     raise(
         part,
-        bulk + 8.0 * muscle + 3.0 * old,
+        bulk + 11.0 * muscle + 3.0 * old,
         f.ridge(&[
             [0.190, 1.366, -0.034, 0.062],
             [0.310, 1.370, -0.036, 0.066],
