@@ -7,8 +7,8 @@ struct Backdrop {
 }
 
 // As in record.rs.
-const ACROSS: u32 = 32u;
-const DOWN: u32 = 20u;
+const ACROSS: u32 = 20u;
+const DOWN: u32 = 14u;
 
 // What the camera sees at a place of the picture (-1 to 1, y up).
 fn studio_at(place: vec2<f32>) -> vec3<f32> {
@@ -26,8 +26,9 @@ fn studio_at(place: vec2<f32>) -> vec3<f32> {
     let aside = place * vec2(scene.tile.z / scene.tile.w, 1.0) - vec2(0.0, 0.12);
     let wall_pool = exp(-dot(aside, aside) * 0.9) * (1.0 - 0.7 * on_floor);
     let corner = dot(place, place) * 0.5;
-    let light = 1.0 + scene.lens.w * (0.20 * wall_pool + 0.24 * floor_pool - 0.16 * corner * corner);
-    return clamp(base * light, vec3(0.0), vec3(1.0));
+    let pool = scene.lens.w * (0.17 * wall_pool + 0.20 * floor_pool);
+    let dim = 1.0 - scene.lens.w * 0.16 * corner * corner;
+    return (base + (1.0 - base) * base * (2.0 * pool)) * dim;
 }
 
 @vertex

@@ -93,9 +93,9 @@ fn exposure(in: Surface, n: vec3<f32>) -> vec2<f32> {
 // The studio: a warm key light from above, a fill light that comes with the viewer, two lights from behind that
 // draw the edges, and a room that is brighter above than below.
 const KEY: vec3<f32> = vec3<f32>(1.70, 1.58, 1.42);
-const FILL: vec3<f32> = vec3<f32>(0.105, 0.115, 0.132);
-const SKY: vec3<f32> = vec3<f32>(0.150, 0.172, 0.208);
-const GROUND: vec3<f32> = vec3<f32>(0.088, 0.072, 0.060);
+const FILL: vec3<f32> = vec3<f32>(0.146, 0.145, 0.148);
+const SKY: vec3<f32> = vec3<f32>(0.170, 0.178, 0.200);
+const GROUND: vec3<f32> = vec3<f32>(0.105, 0.083, 0.066);
 const RIM: vec3<f32> = vec3<f32>(0.30, 0.34, 0.40);
 // Light wanders a little under the skin: past the border of the light, red farthest.
 const WRAP: vec3<f32> = vec3<f32>(0.17, 0.085, 0.055);
@@ -103,8 +103,8 @@ const WRAP: vec3<f32> = vec3<f32>(0.17, 0.085, 0.055);
 // What a surface is made of, besides its colour.
 struct Matter {
     gloss: f32,
-    // Exponent of the highlight.
-    narrow: f32,
+    // Whether the highlight is narrow.
+    polished: bool,
     wrap: vec3<f32>,
 }
 
@@ -131,25 +131,29 @@ fn in_studio(in: Surface, n: vec3<f32>, matter: Matter) -> vec3<f32> {
     let v = toward_viewer(in.world);
     let exposed = exposure(in, n);
     let albedo = tinted(in.color, in.marks);
-    // Light that is caught in a crease takes on the colour of its walls.
-    let open = mix(vec3(exposed.x), pow(vec3(exposed.x), 1.0 - 0.55 * albedo), 0.8);
+    var open = vec3(1.0);
+    if occluded {
+        // Light that is caught in a crease takes on the colour of its walls.
+        open = pow(vec3(max(exposed.x, 1e-3)), 1.0 - 0.45 * albedo);
+    }
     let turned = dot(n, scene.key.xyz);
-    // The border of the light is the surface's own; shadows count where it faces the light.
-    let arrives = mix(1.0, exposed.y, smoothstep(-0.08, 0.22, turned));
+    let arrives = exposed.y;
     let soft = vec3(arrives) + matter.wrap * (0.55 * arrives * (1.0 - arrives));
     let wrapped = clamp((vec3(turned) + matter.wrap) / (1.0 + matter.wrap), vec3(0.0), vec3(1.0));
     let key = wrapped * soft * mix(vec3(1.0), open, 0.35);
     let sky = 0.5 + 0.5 * n.y;
-    let fill = 0.5 + 0.5 * dot(n, scene.fill.xyz);
+    let fill = clamp(0.16 + 0.84 * dot(n, scene.fill.xyz), 0.0, 1.0);
     // What is near the ground sees less of the studio.
     let high = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
-    let around = mix(GROUND, SKY, sky) * high + FILL * (fill * fill * fill * scene.fill.w);
+    let around = mix(GROUND, SKY, sky) * high + FILL * (fill * fill * scene.fill.w);
     let edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
     let behind = clamp(vec2(dot(n, scene.rim_left.xyz), dot(n, scene.rim_right.xyz)), vec2(0.0), vec2(1.0));
     let rim = RIM * ((behind.x + 0.7 * behind.y) * exposed.x * exposed.x);
     let light = around * open + KEY * key + rim;
-    let half_way = normalize(scene.key.xyz + v);
-    let shine = pow(max(dot(n, half_way), 0.0), matter.narrow) * matter.gloss * clamp(turned * 4.0, 0.0, 1.0);
+    let g = max(dot(n, normalize(scene.key.xyz + v)), 0.0);
+    let g4 = g * g * g * g;
+    let g8 = g4 * g4;
+    let shine = select(g8, g8 * g8 * g4, matter.polished) * matter.gloss * clamp(turned * 4.0, 0.0, 1.0);
     let edge3 = edge * edge * edge;
     let sheen = RIM * (edge3 * (0.15 + 0.55 * sky) * exposed.x);
     return albedo * light + KEY * (shine * arrives) + sheen + glow(in.marks, edge);
@@ -165,9 +169,13 @@ fn tone(c: vec3<f32>) -> vec3<f32> {
     return clamp(mix(each, whole, 0.5), vec3(0.0), vec3(1.0));
 }
 
-// sRGB numbers of light in 0 to 1.
+// sRGB numbers of light in 0 to 1, to half a step of 255: roots cost a software adapter less than powers.
 fn encoded(c: vec3<f32>) -> vec3<f32> {
-    return select(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3(0.0031308));
+    let root2 = sqrt(c);
+    let root4 = sqrt(root2);
+    let root8 = sqrt(root4);
+    let high = 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * c;
+    return select(high, c * 12.92, c <= vec3(0.0031308));
 }
 
 fn painted(color: vec3<f32>) -> vec4<f32> {
@@ -181,7 +189,7 @@ fn outward(normal: vec3<f32>, front: bool) -> vec3<f32> {
 
 fn studio(in: Surface, front: bool) -> vec4<f32> {
     let n = outward(in.normal, front);
-    return painted(encoded(tone(in_studio(in, n, Matter(0.055, 22.0, WRAP)))));
+    return painted(encoded(tone(in_studio(in, n, Matter(0.055, true, WRAP)))));
 }
 
 // Grey-brown clay with the broad sheen of something moist.
@@ -190,7 +198,7 @@ fn clay(in: Surface, front: bool) -> vec4<f32> {
     let wooden = select(1.0, dot(in.color, vec3(0.9)), colored);
     of_clay.color = vec3(0.375, 0.295, 0.238) * wooden;
     let n = outward(in.normal, front);
-    return painted(encoded(tone(in_studio(of_clay, n, Matter(0.075, 9.0, vec3(0.05))))));
+    return painted(encoded(tone(in_studio(of_clay, n, Matter(0.075, false, vec3(0.05))))));
 }
 
 // Pale wax whose light comes along with the viewer.
@@ -201,8 +209,8 @@ fn matcap(in: Surface, front: bool) -> vec4<f32> {
     let m = vec3(dot(n, right), dot(n, cross(v, right)), dot(n, v));
     let exposed = exposure(in, n);
     let d = dot(m, vec3(-0.41, 0.62, 0.67));
-    let shade = mix(vec3(0.075, 0.052, 0.062), vec3(0.40, 0.285, 0.245), smoothstep(-0.75, 0.42, d));
-    var c = mix(shade, vec3(0.86, 0.79, 0.71), smoothstep(0.12, 1.02, d));
+    let shade = mix(vec3(0.045, 0.030, 0.036), vec3(0.300, 0.205, 0.172), smoothstep(-0.70, 0.50, d));
+    var c = mix(shade, vec3(0.80, 0.715, 0.625), smoothstep(0.10, 1.00, d));
     // A second, cool light low on the other side, a soft gleam, and light that shines through thin edges.
     c += vec3(0.10, 0.14, 0.20) * pow(clamp(dot(m, vec3(0.80, -0.36, 0.48)), 0.0, 1.0), 2.2);
     c += vec3(0.34, 0.33, 0.31) * pow(clamp(dot(m, normalize(vec3(-0.22, 0.40, 0.89))), 0.0, 1.0), 38.0);
@@ -250,7 +258,7 @@ fn wood(in: PartSurface) -> Surface {
 fn flat_tones(in: PartSurface, front: bool) -> vec4<f32> {
     let n = outward(in.normal, front);
     let s = Surface(in.clip, in.world, in.normal, in.color, in.marks);
-    let tones = array<vec3<f32>, 3>(vec3(0.93, 0.71, 0.52), vec3(0.80, 0.49, 0.38), vec3(0.87, 0.60, 0.44));
+    let tones = array<vec3<f32>, 3>(vec3(0.925, 0.800, 0.675), vec3(0.770, 0.560, 0.470), vec3(0.850, 0.685, 0.560));
     let exposed = exposure(s, n);
     let turned = dot(n, scene.key.xyz) - 0.06;
     let crisp = clamp(turned / max(fwidth(turned), 1e-4) + 0.5, 0.0, 1.0);
@@ -259,7 +267,7 @@ fn flat_tones(in: PartSurface, front: bool) -> vec4<f32> {
     // Nothing casts a sharp shadow along the border of the light.
     let bright = min(crisp, mix(1.0, thrown, smoothstep(0.0, 0.12, turned)));
     let base = tones[min(in.part.y, 2u)];
-    let dark = base * vec3(0.66, 0.60, 0.68);
+    let dark = base * vec3(0.68, 0.63, 0.70);
     let groove = mix(0.74, 1.0, smoothstep(0.0006, 0.0018, in.border));
     var c = mix(dark, base, bright) * groove;
     c = mix(c, encoded(scene.hovered_tint.rgb) * mix(0.7, 1.0, bright), in.marks.y * scene.hovered_tint.a);

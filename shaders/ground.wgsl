@@ -83,7 +83,7 @@ fn fs_shade(in: Shade) -> @location(0) vec4<f32> {
         let open = surveyed(in.clip.xy, view_depth(in.world)).x;
         let off = max(abs(in.at - 0.5) - 0.5, vec2(0.0)) * (scene.footprint.zw - scene.footprint.xy);
         let within = 1.0 - smoothstep(0.5, 0.95, length(off) / MARGIN_M);
-        left *= 1.0 - 0.75 * (1.0 - clamp(open * 1.08, 0.0, 1.0)) * within;
+        left *= 1.0 - 0.62 * (1.0 - clamp(open * 1.12, 0.0, 1.0)) * within;
     }
     return vec4(0.0, 0.0, 0.0, 1.0 - left);
 }

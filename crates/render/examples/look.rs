@@ -6,12 +6,13 @@
 use std::io::Write;
 
 use glam::{Mat4, Vec3};
-use render::{Ball, FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene, Shape, Style};
+use render::{
+    Ball, FigureView, Gpu, Layer, Line, Look, Marker, Overlay, Pass, Renderer, Scene, Shape, Style,
+};
 use rig::{Bone, Camera, View};
 
 #[path = "../tests/body/mod.rs"]
 mod body;
-
 
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();

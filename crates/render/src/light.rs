@@ -6,6 +6,9 @@ use rig::Bounds;
 /// Edge of the shadow map, texels.
 pub(crate) const SHADOW_SIZE: u32 = 2048;
 
+/// The part of the map's edges that is used where shadows are not softened on the figures.
+const SMALL_SHARE: f32 = 0.5;
+
 /// How far the soft shadow reaches beyond the sharp one.
 const PENUMBRA_M: f32 = 0.16;
 
@@ -29,8 +32,9 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// Fits the light to what casts shadows, given by the corners of boxes around it.
-    pub fn fit(key_light: Vec3, casters: &[Vec3], wanted: bool) -> Light {
+    /// Fits the light to what casts shadows, given by the corners of boxes around it. A coarse one uses a corner of the
+    /// map: a quarter of the texels to fill.
+    pub fn fit(key_light: Vec3, casters: &[Vec3], wanted: bool, coarse: bool) -> Light {
         let toward = raised(key_light);
         let axes = axes(toward);
         let seen = Bounds::of(casters.iter().map(|&p| axes * p));
@@ -50,17 +54,23 @@ impl Light {
         // Steps of size and place keep still edges still while a limb moves.
         let half = (seen.max - seen.min).truncate().max_element() * 0.5 + PENUMBRA_M;
         let half = (half * 8.0).ceil() / 8.0;
-        let texel_m = 2.0 * half / SHADOW_SIZE as f32;
+        let share = if coarse { SMALL_SHARE } else { 1.0 };
+        let texel_m = 2.0 * half / (SHADOW_SIZE as f32 * share);
         let center = (seen.center() / texel_m).round() * texel_m;
         let lowest =
             fallen.corners().into_iter().map(|p| (axes * p).z).fold(seen.min.z, f32::min) - PENUMBRA_M;
         let highest = seen.max.z + 0.05;
         let deep = highest - lowest;
         let texture_from_light = Mat4::from_cols(
-            Vec3::X.extend(0.0) * (0.5 / half),
-            Vec3::Y.extend(0.0) * (-0.5 / half),
+            Vec3::X.extend(0.0) * (0.5 * share / half),
+            Vec3::Y.extend(0.0) * (-0.5 * share / half),
             Vec3::Z.extend(0.0) * (-1.0 / deep),
-            Vec3::new(0.5 - center.x * 0.5 / half, 0.5 + center.y * 0.5 / half, highest / deep).extend(1.0),
+            Vec3::new(
+                share * (0.5 - center.x * 0.5 / half),
+                share * (0.5 + center.y * 0.5 / half),
+                highest / deep,
+            )
+            .extend(1.0),
         );
         Light {
             toward,
@@ -104,21 +114,26 @@ mod tests {
     fn casters_and_their_ground_shadow_lie_inside_the_map() {
         let body = Bounds { min: Vec3::new(-0.8, 0.0, -0.3), max: Vec3::new(0.8, 1.7, 0.2) };
         for key in [Vec3::new(0.5, 1.0, 0.7), Vec3::Y, Vec3::new(-1.0, -3.0, 0.0), Vec3::ZERO, Vec3::NAN] {
-            let light = Light::fit(key, &body.corners(), true);
-            assert!(light.casts);
-            for p in body.corners() {
-                let ground = p - light.toward * (p.y / light.toward.y);
-                for q in [p, ground] {
-                    let at = light.shadow_from_world.transform_point3(q);
-                    assert!(at.cmpge(Vec3::ZERO).all() && at.cmple(Vec3::ONE).all(), "{key}: {q} -> {at}");
+            for coarse in [false, true] {
+                let light = Light::fit(key, &body.corners(), true, coarse);
+                assert!(light.casts);
+                for p in body.corners() {
+                    let ground = p - light.toward * (p.y / light.toward.y);
+                    for q in [p, ground] {
+                        let at = light.shadow_from_world.transform_point3(q);
+                        assert!(
+                            at.cmpge(Vec3::ZERO).all() && at.cmple(Vec3::ONE).all(),
+                            "{key}: {q} -> {at}"
+                        );
+                    }
+                    let (a, b) = (
+                        light.shadow_from_world.transform_point3(p),
+                        light.shadow_from_world.transform_point3(ground),
+                    );
+                    assert!((a - b).truncate().length() < 1e-4 && a.z <= b.z + 1e-6);
                 }
-                let (a, b) = (
-                    light.shadow_from_world.transform_point3(p),
-                    light.shadow_from_world.transform_point3(ground),
-                );
-                assert!((a - b).truncate().length() < 1e-4 && a.z <= b.z + 1e-6);
             }
         }
-        assert!(!Light::fit(Vec3::Y, &[], true).casts);
+        assert!(!Light::fit(Vec3::Y, &[], true, false).casts);
     }
 }

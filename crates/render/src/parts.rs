@@ -58,6 +58,19 @@ type Shares = Vec<(u8, f32)>;
 /// A corner of a piece: shares of the triangle's three corners.
 type Corner = [f32; 3];
 
+/// A triangle to cut: its vertices in ascending order.
+struct Whole {
+    triangle: [u32; 3],
+    /// Whether that order turns it over.
+    flipped: bool,
+    /// How far the border of its block is at its cuts.
+    border_m: f32,
+}
+
+fn least(values: [f32; 3]) -> f32 {
+    values.into_iter().fold(FAR_M, f32::min)
+}
+
 impl Cut {
     /// Cuts a mesh without faults.
     pub fn new(mesh: &Mesh) -> Cut {
@@ -82,6 +95,8 @@ impl Cut {
 
     /// Adds the pieces of a triangle that several bones share.
     fn pieces(&mut self, mesh: &Mesh, triangle: [u32; 3], shares: &[Shares], own: &[u8]) {
+        let [a, b, c] = triangle.map(|i| block(own[i as usize]));
+        let far = if a == b && b == c { triangle.map(|i| self.parts[i as usize].border_m) } else { [0.0; 3] };
         // Always cut in the same order, so that neighbours have the same corners on their common edge.
         let (sorted, flipped) = sorted(triangle);
         let of = sorted.map(|i| &shares[i as usize]);
@@ -98,37 +113,31 @@ impl Cut {
                 piece = clipped(&piece, ahead);
             }
             if piece.len() >= 3 {
-                self.add_piece(mesh, sorted, flipped, own, part, &piece);
+                let whole = Whole { triangle: sorted, flipped, border_m: least(far) };
+                self.add_piece(mesh, &whole, own, part, &piece);
             }
         }
     }
 
-    fn add_piece(
-        &mut self,
-        mesh: &Mesh,
-        triangle: [u32; 3],
-        flipped: bool,
-        own: &[u8],
-        part: u8,
-        piece: &[Corner],
-    ) {
+    fn add_piece(&mut self, mesh: &Mesh, whole: &Whole, own: &[u8], part: u8, piece: &[Corner]) {
         let corners: Vec<u32> = piece
             .iter()
             .map(|corner| {
-                let whole = corner.iter().position(|&s| s == 1.0).map(|i| triangle[i]);
-                match whole.filter(|&i| own[i as usize] == part) {
+                let kept = corner.iter().position(|&s| s == 1.0).map(|i| whole.triangle[i]);
+                match kept.filter(|&i| own[i as usize] == part) {
                     Some(i) => i,
-                    None => self.add_vertex(mesh, triangle, part, *corner),
+                    None => self.add_vertex(mesh, whole, part, *corner),
                 }
             })
             .collect();
         for i in 1..corners.len() - 1 {
             let [a, b, c] = [corners[0], corners[i], corners[i + 1]];
-            self.mesh.indices.extend(if flipped { [a, c, b] } else { [a, b, c] });
+            self.mesh.indices.extend(if whole.flipped { [a, c, b] } else { [a, b, c] });
         }
     }
 
-    fn add_vertex(&mut self, mesh: &Mesh, triangle: [u32; 3], part: u8, corner: Corner) -> u32 {
+    fn add_vertex(&mut self, mesh: &Mesh, whole: &Whole, part: u8, corner: Corner) -> u32 {
+        let triangle = whole.triangle;
         let mixed = |values: &[[f32; 3]]| {
             let rows = triangle.iter().zip(corner);
             rows.map(|(&i, s)| Vec3::from_array(values[i as usize]) * s).sum::<Vec3>()
@@ -142,7 +151,7 @@ impl Cut {
         self.mesh.colors.push(color.to_array());
         self.mesh.joints.push(joints);
         self.mesh.weights.push(weights);
-        self.parts.push(PartVertex::of(part, 0.0));
+        self.parts.push(PartVertex::of(part, whole.border_m));
         index
     }
 }
@@ -206,10 +215,18 @@ fn strongest(shares: &[(u8, f32)]) -> u8 {
     best.0
 }
 
-/// How far ahead of all others a part is at a vertex; below 0 where it is behind.
+/// The bone whose block of wood a part belongs to: jaw and eyes are one with the head.
+fn block(part: u8) -> u8 {
+    let head =
+        [Bone::Jaw, Bone::LeftEye, Bone::RightEye].iter().any(|bone| bone.index() == usize::from(part));
+    if head { Bone::Head.index() as u8 } else { part }
+}
+
+/// How far ahead of all others a part's block is at a vertex; below 0 where it is behind.
 fn ahead(shares: &[(u8, f32)], part: u8) -> f32 {
-    let others = shares.iter().filter(|(p, _)| *p != part).map(|(_, w)| *w);
-    share(shares, part) - others.fold(0.0, f32::max)
+    let own: f32 = shares.iter().filter(|(p, _)| block(*p) == block(part)).map(|(_, w)| w).sum();
+    let others = shares.iter().filter(|(p, _)| block(*p) != block(part)).map(|(_, w)| *w);
+    own - others.fold(0.0, f32::max)
 }
 
 /// The part of a convex polygon where a linear function, given at the triangle's corners, is not negative.

@@ -14,7 +14,7 @@ use crate::target::Target;
 /// Vertices of a rectangle, drawn as a strip.
 const RECTANGLE: Range<u32> = 0..4;
 /// Vertices of the backdrop's net, as in backdrop.wgsl.
-const BACKDROP_VERTICES: Range<u32> = 0..6 * 32 * 20;
+const BACKDROP_VERTICES: Range<u32> = 0..6 * 20 * 14;
 
 impl Renderer {
     pub(crate) fn record_shadow(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {

@@ -226,7 +226,7 @@ impl Renderer {
         let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
         let casters: Vec<Vec3> = self.corners(&solid).collect();
         let casts = self.casts_shadow(scene);
-        Light::fit(scene.look.key_light, &casters, casts)
+        Light::fit(scene.look.key_light, &casters, casts, !scene.look.ambient_occlusion)
     }
 
     fn uniform(&self, scene: &Scene<'_>, tile: Tile, light: &Light) -> SceneUniform {

@@ -89,7 +89,7 @@ impl SceneUniform {
             Projection::Perspective => camera.eye().extend(1.0),
             Projection::Orthographic => axes.z_axis.extend(0.0),
         };
-        let fill = (axes.z_axis + axes.y_axis * 0.35 - axes.x_axis * 0.45).normalize_or(Vec3::Z);
+        let fill = (axes.z_axis + axes.y_axis * 0.45 + axes.x_axis * 0.70).normalize_or(Vec3::Z);
         let reach = (camera.distance * 2.0).clamp(2.0, 100.0);
         let spacing = if camera.height_at_target() > 12.0 { 1.0 } else { 0.1 };
         let paper = look.style == Style::Line;
@@ -195,7 +195,7 @@ fn surveyed(camera: &Camera, light: &Light, [near, far]: [f32; 2]) -> [f32; 4] {
 /// The fill light takes over as the camera comes round to the side that the key light leaves dark.
 fn fill_strength(toward_viewer: Vec3, toward_key: Vec3) -> f32 {
     let behind = ((0.35 - toward_viewer.dot(toward_key)) / 1.1).clamp(0.0, 1.0);
-    1.0 + 3.4 * behind * behind
+    1.0 + 8.0 * behind * behind
 }
 
 fn unit(color: Color) -> [f32; 4] {

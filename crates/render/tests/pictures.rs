@@ -92,6 +92,66 @@ fn a_ball_s_depth_normals_and_silhouette_are_the_analytic_ones() {
     }
 }
 
+/// A flat wall as a mesh: a corner and two edges.
+fn flat_wall(corner: Vec3, across: Vec3, up: Vec3) -> rig::Mesh {
+    let normal = across.cross(up).normalize();
+    let corners = [corner, corner + across, corner + across + up, corner + up];
+    rig::Mesh {
+        positions: corners.map(|c| c.to_array()).to_vec(),
+        normals: vec![normal.to_array(); 4],
+        colors: vec![[0.5; 3]; 4],
+        joints: vec![[0; 4]; 4],
+        weights: vec![[65535, 0, 0, 0]; 4],
+        indices: vec![0, 1, 2, 0, 2, 3],
+    }
+}
+
+#[test]
+fn a_plane_s_depth_and_normals_are_the_analytic_ones() {
+    let corner = Vec3::new(-0.8, 0.7, 0.6);
+    // A floor seen from above and a wall seen aslant: boxes without thickness, so that the range is the corners'.
+    let floor = (Vec3::X * 1.6, Vec3::NEG_Z * 1.2, Camera { pitch_rad: 0.7, ..Camera::default() });
+    let wall =
+        (Vec3::NEG_Z * 1.2, Vec3::Y * 0.8, Camera { yaw_rad: -1.0, pitch_rad: 0.2, ..Camera::default() });
+    for (across, up, camera) in [floor, wall] {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let mut renderer = renderer_of(&flat_wall(corner, across, up));
+            let figures = [FigureView { two_sided: true, ..FigureView::new(&Palette::REST) }];
+            let mut camera = Camera { projection, ..camera };
+            camera.frame(renderer.bounds(&figures), 4.0 / 3.0);
+            let scene = |pass| Scene { pass, ..Scene::new(&figures, camera, SIZE) };
+            let depth = draw(&mut renderer, &scene(Pass::Depth));
+            let normal = draw(&mut renderer, &scene(Pass::Normal));
+            let view = camera.view_from_world();
+            let deep = |p: Vec3| -view.transform_point3(p).z;
+            let corners = [corner, corner + across, corner + up, corner + across + up].map(deep);
+            let (near, far) =
+                corners.into_iter().fold((f32::MAX, f32::MIN), |(n, f), d| (n.min(d), f.max(d)));
+            let out = across.cross(up).normalize();
+            let out = if out.dot(camera.eye() - corner) < 0.0 { -out } else { out };
+            let seen = view.transform_vector3(out);
+            let mut inside = 0;
+            for p in each_pixel() {
+                let ray = camera.ray(p, pixels());
+                let hit =
+                    ray.origin + ray.direction * ((corner - ray.origin).dot(out) / ray.direction.dot(out));
+                let [x, y] = [across, up].map(|edge| (hit - corner).dot(edge) / edge.length_squared());
+                if !((0.02..0.98).contains(&x) && (0.02..0.98).contains(&y)) {
+                    continue;
+                }
+                inside += 1;
+                let nearness = (far - deep(hit)) / (far - near);
+                let found = f32::from(at(&depth, p)[0]);
+                assert!((found - 255.0 * nearness).abs() < 1.5, "{projection:?} {p}: {found}, {nearness}");
+                for (byte, n) in at(&normal, p).into_iter().zip(seen.to_array()) {
+                    assert!((f32::from(byte) - (n * 0.5 + 0.5) * 255.0).abs() < 1.0, "{p}: {byte} for {n}");
+                }
+            }
+            assert!(inside > 10_000, "the plane fills the picture: {inside}");
+        }
+    }
+}
+
 #[test]
 fn left_shows_the_left_hand_toward_the_viewer() {
     let mut renderer = renderer_of(&body::mesh());
