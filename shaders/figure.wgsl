@@ -131,7 +131,8 @@ fn in_studio(in: Surface, n: vec3<f32>, matter: Matter) -> vec3<f32> {
     let v = toward_viewer(in.world);
     let exposed = exposure(in, n);
     let albedo = tinted(in.color, in.marks);
-    var open = vec3(1.0);
+    // Without a survey: what it finds on the whole.
+    var open = vec3(0.88);
     if occluded {
         // Light that is caught in a crease takes on the colour of its walls.
         open = pow(vec3(max(exposed.x, 1e-3)), 1.0 - 0.45 * albedo);

@@ -80,7 +80,7 @@ fn fs_trace(@builtin(position) clip: vec4<f32>) -> @location(0) vec4<f32> {
     let dips = smoothstep(0.035, 0.11, dip) * 0.72;
     let inner = max(creased * 0.9, dips);
     let ink = max(hides, inner);
-    let half_width = mix(0.80, 1.25 * press, hides);
+    let half_width = mix(0.80, 1.45 * press, hides);
     // Half the width in texels, over 4.
     return vec4(ink, half_width / 4.0, 0.0, 1.0);
 }
