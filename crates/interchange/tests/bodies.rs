@@ -1,5 +1,7 @@
 //! Bodies made of the mannequin and of a figure without a skin: stature, heads, lengths, masses, ranges, points.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::sync::OnceLock;
 
 use glam::DVec3;

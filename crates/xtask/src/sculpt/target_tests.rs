@@ -84,8 +84,12 @@ fn the_eight_targets_mirror_exactly() {
 }
 
 #[test]
-fn made_twice_targets_have_the_same_bits() {
-    assert_eq!(&targets(sculpt(), &shipped()), morphs());
+fn made_again_a_target_has_the_same_bits() {
+    let skeleton = shipped();
+    let heavy = Physique { build: 1.0, ..Physique::NEUTRAL };
+    let again = Half::new(sculpt())
+        .between(&body::field(&skeleton, &Physique::NEUTRAL), &body::field(&skeleton, &heavy));
+    assert_eq!(&again, &morphs()["heavy"]);
 }
 
 #[test]
