@@ -8,6 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 
 use crate::stages::cargo;
+use contact_sheet::SHEETS;
 use shots::{FOLDER, TABLE};
 
 /// Builds the program and writes the pictures of these names, with or without their ending, or every one if none is named.
@@ -15,7 +16,7 @@ use shots::{FOLDER, TABLE};
 /// # Errors
 /// The build or a rendering fails; a picture can't be written; a name that no picture has.
 pub fn run(names: &[String]) -> Result<()> {
-    let known = TABLE.iter().map(|picture| picture.name).chain([contact_sheet::NAME]);
+    let known = TABLE.iter().map(|picture| picture.name).chain(SHEETS.iter().map(|sheet| sheet.name));
     for name in names {
         ensure!(known.clone().any(|other| is(other, name)), "no picture is called {name}");
     }
@@ -29,11 +30,10 @@ pub fn run(names: &[String]) -> Result<()> {
     std::fs::create_dir_all(root.join(FOLDER))?;
     let mut total = 0;
     for name in known.filter(|name| names.is_empty() || names.iter().any(|asked| is(name, asked))) {
-        let made = match TABLE.iter().find(|picture| picture.name == name) {
-            Some(picture) => picture.make(&program, &root)?,
-            None => contact_sheet::make(&program, &root)?,
-        };
-        let bytes = shots::png(&shots::rounded(made))?;
+        let sheet = SHEETS.iter().find(|sheet| sheet.name == name).map(|sheet| sheet.make(&program, &root));
+        let picture = TABLE.iter().find(|picture| picture.name == name);
+        let made = sheet.or_else(|| picture.map(|picture| picture.make(&program, &root)));
+        let bytes = shots::png(&shots::rounded(made.context("a picture that none makes")??))?;
         total += bytes.len();
         println!("{name:14} {:5} kB", bytes.len() / 1000);
         let path = root.join(FOLDER).join(name);

@@ -8,6 +8,7 @@ mod contact_sheet;
 #[path = "../src/pictures/shots.rs"]
 mod shots;
 
+use contact_sheet::SHEETS;
 use shots::{FOLDER, TABLE};
 
 /// How far a channel may be off before a pixel counts as different: drivers round differently, and so may what is stored.
@@ -50,7 +51,7 @@ fn the_program_draws_what_is_stored() {
     for name in names() {
         let made = match TABLE.iter().find(|picture| picture.name == name) {
             Some(picture) => picture.make(&program, &root()),
-            None => contact_sheet::make(&program, &root()),
+            None => SHEETS.iter().find(|sheet| sheet.name == name).expect("a sheet").make(&program, &root()),
         };
         let drawn = match made {
             Ok(drawn) => shots::rounded(drawn),
@@ -71,10 +72,10 @@ fn the_program_draws_what_is_stored() {
     assert!(stale.is_empty(), "{stale:#?}; `cargo xtask pictures` makes them anew");
 }
 
-/// The names of the pictures that there are to be. The contact sheet is one of them once it was made.
+/// The names of the pictures that there are to be.
 fn names() -> impl Iterator<Item = String> {
-    let sheet = root().join(FOLDER).join(contact_sheet::NAME).exists().then_some(contact_sheet::NAME);
-    TABLE.iter().map(|picture| picture.name).chain(sheet).map(str::to_owned)
+    let sheets = SHEETS.iter().map(|sheet| sheet.name);
+    TABLE.iter().map(|picture| picture.name).chain(sheets).map(str::to_owned)
 }
 
 /// The names of the pictures that the documents show.

@@ -109,11 +109,11 @@ pub struct LookArguments {
 }
 
 impl LookArguments {
-    /// As told, in a style.
-    pub fn look(self, style: Style) -> Look {
+    /// As told, in the look of that name.
+    pub fn look(self, name: StyleName) -> Look {
         Look {
-            style,
-            joint_planes: self.wood,
+            style: name.into(),
+            joint_planes: self.wood || name == StyleName::Wood,
             transparent: self.transparent,
             grid: self.ground == Ground::Grid,
             ground_shadow: self.ground != Ground::None,
@@ -161,7 +161,7 @@ impl From<PassName> for Pass {
 }
 
 /// The word of a look.
-#[derive(Clone, Copy, ValueEnum, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum, Debug)]
 pub enum StyleName {
     /// The skin's own colours under studio lights.
     Studio,
@@ -173,12 +173,14 @@ pub enum StyleName {
     Flat,
     /// A drawing with a pen.
     Line,
+    /// Studio in joint planes, as with --wood.
+    Wood,
 }
 
 impl From<StyleName> for Style {
     fn from(name: StyleName) -> Style {
         match name {
-            StyleName::Studio => Style::Studio,
+            StyleName::Studio | StyleName::Wood => Style::Studio,
             StyleName::Clay => Style::Clay,
             StyleName::Matcap => Style::Matcap,
             StyleName::Flat => Style::Flat,
@@ -209,7 +211,7 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
         return window(told, &editor, viewpoint.view);
     }
     let posed = Posed::of(&editor);
-    let look = told.look.look(told.style.into());
+    let look = told.look.look(told.style);
     let aspect = Shot::new(told.size).aspect();
     let first = viewpoint.camera(posed.bounds(), aspect);
     let cameras = match told.turntable {

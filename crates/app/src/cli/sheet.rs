@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::Args;
+use clap::{Args, ValueEnum as _};
 use rig::{Figure, View};
 
 use super::pictures::{LookArguments, StyleName};
@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::library::shipped;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Naming, Posed, Sheet, Tile, Viewpoint, Work, on_plain, style_name, title_of,
+    Darkroom, Facts, Format, Naming, Posed, Sheet, Tile, Viewpoint, Work, on_plain, title_of,
 };
 
 /// What `sheet` is told.
@@ -79,8 +79,8 @@ fn tiles(told: &SheetArguments) -> Result<Vec<Tile>, Failure> {
         for file in &told.files {
             let posed = Posed::of(&load::editor(figure, file)?);
             for style in &told.styles {
-                let look = on_plain(told.look.look((*style).into()));
-                let title = title(told, file, &posed, style_name(look.style), figures.len());
+                let look = on_plain(told.look.look(*style));
+                let title = title(told, file, &posed, &words_of(*style), figures.len());
                 tiles.push(Tile { posed: posed.clone(), look, title });
             }
         }
@@ -102,6 +102,11 @@ fn title(told: &SheetArguments, file: &Path, posed: &Posed, style: &str, figures
         words.push(begun(style));
     }
     words.join(" · ")
+}
+
+/// The word of a look on the command line.
+fn words_of(style: StyleName) -> String {
+    style.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 /// What the library calls a pose, or its file's name.

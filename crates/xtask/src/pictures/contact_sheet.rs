@@ -1,4 +1,4 @@
-//! The contact sheet of the README: poses of the library, looks, and bodies, made by `posewright sheet`.
+//! Pictures that `posewright sheet` makes: the contact sheet of the README, the looks, the bodies.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,10 +6,16 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 use image::{RgbImage, imageops};
 
-/// Its file's name among the pictures, and what `cargo xtask pictures` calls it without the ending.
-pub const NAME: &str = "sheet.png";
+/// A picture of one or several parts, one below the other, all equally wide.
+#[derive(Debug)]
+pub struct Sheet {
+    /// Its file's name among the pictures.
+    pub name: &'static str,
+    parts: &'static [Part],
+}
 
-/// A part of it, one below the other, all equally wide.
+/// What one call of the program draws.
+#[derive(Debug)]
 struct Part {
     /// Poses of the library.
     poses: &'static [&'static str],
@@ -19,69 +25,108 @@ struct Part {
     options: &'static str,
 }
 
-const PARTS: &[Part] = &[
-    Part {
-        poses: &[
-            "standing",
-            "contrapposto",
-            "thinker",
-            "waving",
-            "walking",
-            "running",
-            "hands-on-hips",
-            "arms-crossed",
-            "reading",
-            "reaching-up",
-            "pointing",
-            "shrug",
-            "cheering",
-            "facepalm",
-            "bow",
-            "sitting",
-            "hugging-knees",
-            "kneeling",
-            "lying-side",
-            "jumping",
-            "throwing",
-            "lunge",
-            "kick",
-            "sign-i-love-you",
+/// Every such picture.
+pub const SHEETS: &[Sheet] = &[
+    Sheet {
+        name: "sheet.png",
+        parts: &[
+            Part {
+                poses: &[
+                    "standing",
+                    "contrapposto",
+                    "thinker",
+                    "waving",
+                    "walking",
+                    "running",
+                    "hands-on-hips",
+                    "arms-crossed",
+                    "reading",
+                    "reaching-up",
+                    "pointing",
+                    "shrug",
+                    "cheering",
+                    "facepalm",
+                    "bow",
+                    "sitting",
+                    "hugging-knees",
+                    "kneeling",
+                    "lying-side",
+                    "jumping",
+                    "throwing",
+                    "lunge",
+                    "kick",
+                    "sign-i-love-you",
+                ],
+                figures: &[],
+                options: "--columns 8 --size 111x138",
+            },
+            Part {
+                poses: &["contrapposto"],
+                figures: &[],
+                options: "--look clay,matcap,flat,line --columns 4 --size 228x290",
+            },
+            Part {
+                poses: &["standing"],
+                figures: &[
+                    "assets/figures/child.figure.ron",
+                    "assets/figures/mannequin.figure.ron",
+                    "assets/figures/heroic.figure.ron",
+                    "assets/figures/elderly.figure.ron",
+                ],
+                options: "--one-scale --columns 4 --size 228x290",
+            },
         ],
-        figures: &[],
-        options: "--columns 8 --size 111x138",
     },
-    Part {
-        poses: &["contrapposto"],
-        figures: &[],
-        options: "--look clay,matcap,flat,line --columns 4 --size 228x290",
-    },
-    Part {
-        poses: &["standing"],
-        figures: &[
-            "assets/figures/child.figure.ron",
-            "assets/figures/mannequin.figure.ron",
-            "assets/figures/heroic.figure.ron",
-            "assets/figures/elderly.figure.ron",
+    Sheet {
+        name: "looks.png",
+        parts: &[
+            Part {
+                poses: &["thinker"],
+                figures: &[],
+                options: "--look studio,clay,matcap --columns 3 --size 300x330",
+            },
+            Part {
+                poses: &["thinker"],
+                figures: &[],
+                options: "--look flat,line,wood --columns 3 --size 300x330",
+            },
         ],
-        options: "--one-scale --columns 4 --size 228x290",
+    },
+    Sheet {
+        name: "figures.png",
+        parts: &[Part {
+            poses: &["standing"],
+            figures: &[
+                "assets/figures/child.figure.ron",
+                "assets/figures/woman.figure.ron",
+                "assets/figures/mannequin.figure.ron",
+                "assets/figures/man.figure.ron",
+                "assets/figures/heroic.figure.ron",
+                "assets/figures/elderly.figure.ron",
+            ],
+            options: "--one-scale --columns 6 --size 150x290",
+        }],
     },
 ];
 
-/// Renders the parts with the program and puts them together.
-///
-/// # Errors
-/// The program fails, for want of a graphics adapter for example; parts that are not equally wide.
-pub fn make(program: &Path, root: &Path) -> Result<RgbImage> {
-    let parts: Vec<RgbImage> = PARTS.iter().map(|part| part.make(program, root)).collect::<Result<_>>()?;
-    let width = parts.first().map_or(0, RgbImage::width);
-    ensure!(parts.iter().all(|part| part.width() == width), "the parts of the sheet are not equally wide");
-    let mut whole = RgbImage::new(width, parts.iter().map(RgbImage::height).sum());
-    let mut top = 0;
-    for part in &parts {
-        imageops::replace(&mut whole, part, 0, top);
-        top += i64::from(part.height());
+impl Sheet {
+    /// Renders the parts with the program and puts them together.
+    ///
+    /// # Errors
+    /// The program fails, for want of a graphics adapter for example; parts that are not equally wide.
+    pub fn make(&self, program: &Path, root: &Path) -> Result<RgbImage> {
+        let parts: Vec<RgbImage> =
+            self.parts.iter().map(|part| part.make(program, root)).collect::<Result<_>>()?;
+        let width = parts.first().map_or(0, RgbImage::width);
+        ensure!(parts.iter().all(|part| part.width() == width), "{}: parts are not equally wide", self.name);
+        let mut whole = RgbImage::new(width, parts.iter().map(RgbImage::height).sum());
+        let mut top = 0;
+        for part in &parts {
+            imageops::replace(&mut whole, part, 0, top);
+            top += i64::from(part.height());
+        }
+        Ok(whole)
     }
-    Ok(whole)
 }
 
 impl Part {

@@ -232,12 +232,13 @@ pub const TABLE: &[Picture] = &[
     },
     Picture {
         name: "passes.png",
-        columns: 5,
+        columns: 6,
         tiles: &[
             pass("--size 320x320 --pass color"),
             pass("--size 320x320 --pass depth"),
             pass("--size 320x320 --pass normal"),
             pass("--size 320x320 --pass silhouette"),
+            pass("--size 320x320 --pass parts"),
             pass("--size 320x320 --pass openpose"),
         ],
     },
