@@ -90,7 +90,11 @@ pub type Active = Vec<(usize, Vec<usize>)>;
 impl Field {
     /// A field of parts; digits must come after what carries them.
     pub fn new(parts: Vec<Part>) -> Field {
-        let reach = |part: &Part, b: &Blob| 2.0 * (b.blend.max(part.blend)) + b.crease + 0.004;
+        // A swell ends at its solid's surface, a blend reaches further.
+        let reach = |part: &Part, b: &Blob| match b.op {
+            Op::Swell(_) => b.crease + 1e-4,
+            Op::Add | Op::Cut => 2.0 * (b.blend.max(part.blend)) + b.crease + 0.004,
+        };
         let bounds = parts
             .iter()
             .map(|part| part.blobs.iter().map(|b| b.shape.bounds().grown(reach(part, b))).collect())

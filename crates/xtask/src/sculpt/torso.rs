@@ -182,7 +182,8 @@ fn belly(f: &Fit, tone: f64, torso: &mut Part) {
             f.egg([0.036, y, 0.102], [0.044, 0.020, 0.03], [1.0, 0.06, 0.0], [0.0, 1.0, 0.0]),
         );
     }
-    torso.cut(0.010, f.ball([0.0, 1.044, 0.104], [0.0045, 0.0065, 0.009]));
+    torso.swell(-0.0025, f.ball([0.0, 1.045, 0.100], [0.015, 0.019, 0.025]));
+    torso.cut(0.007, f.ball([0.0, 1.0445, 0.1025], [0.0042, 0.0066, 0.0100]));
     // The lower belly's soft fullness.
     torso.swell(tone * 0.006, f.ball([0.0, 0.975, 0.090], [0.105, 0.085, 0.07]));
     // The flank muscle over the crest.
