@@ -113,7 +113,7 @@ fn every_style_and_pass_is_as_stored_and_its_numbers_are_right() {
         ("clay", plain(Style::Clay), Pass::Color, [9.4, 41.1, 4.9]),
         ("matcap", plain(Style::Matcap), Pass::Color, [13.8, 54.7, 4.0]),
         ("flat", plain(Style::Flat), Pass::Color, [11.9, 49.8, 4.0]),
-        ("line", plain(Style::Line), Pass::Color, [4.8, 42.9, 4.8]),
+        ("line", plain(Style::Line), Pass::Color, [5.1, 37.7, 5.1]),
         ("wood", wood, Pass::Color, [9.3, 37.9, 5.4]),
         ("light", light, Pass::Color, [20.6, 70.3, 9.2]),
         ("lean", plain(Style::Studio).lean(), Pass::Color, [8.2, 60.8, 1.6]),
