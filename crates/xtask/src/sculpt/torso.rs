@@ -142,7 +142,7 @@ fn chest(f: &Fit, tone: f64, torso: &mut Part) {
         ]),
     );
     for (y, x, z) in [(1.226, 0.136, 0.026), (1.192, 0.134, 0.034), (1.158, 0.129, 0.042)] {
-        torso.swell(tone * 0.0016, f.egg([x, y, z], [0.042, 0.021, 0.03], [0.4, -0.5, 1.0], [0.0, 1.0, 0.0]));
+        torso.swell(tone * 0.0013, f.egg([x, y, z], [0.042, 0.021, 0.03], [0.4, -0.5, 1.0], [0.0, 1.0, 0.0]));
     }
 }
 
@@ -245,15 +245,8 @@ pub fn seat_fold(f: &Fit, part: &mut Part) {
 
 /// Broad back muscle, shoulder blade, the columns beside the spine with the furrow between them, the sacrum.
 fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
-    torso.add(
-        0.05,
-        f.strand(&[
-            [0.080, 1.10, -0.026, 0.012],
-            [0.098, 1.17, -0.034, 0.022],
-            [0.114, 1.24, -0.038, 0.031],
-            [0.126, 1.31, -0.036, 0.036],
-        ]),
-    );
+    torso
+        .add(0.05, f.egg([0.109, 1.255, -0.036], [0.150, 0.036, 0.036], [0.20, 1.0, -0.03], [1.0, 0.0, 0.0]));
     // Shoulder blade: body, inner border with the furrow beside it, spine, the hollow above that.
     torso.swell(
         tone * 0.008,
