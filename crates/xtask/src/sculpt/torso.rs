@@ -253,7 +253,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
         f.egg([0.092, 1.318, -0.085], [0.105, 0.062, 0.06], [0.22, 1.0, 0.0], [1.0, 0.0, 0.4]),
     );
     torso.swell(
-        tone * 0.0035,
+        bone * 0.0035,
         f.ridge(&[
             [0.050, 1.410, -0.088, 0.034],
             [0.060, 1.340, -0.097, 0.036],
@@ -262,7 +262,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
         ]),
     );
     torso.swell(
-        tone * 0.0045,
+        bone * 0.0045,
         f.ridge(&[
             [0.035, 1.355, -0.094, 0.034],
             [0.080, 1.388, -0.088, 0.036],
@@ -301,7 +301,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
         ]),
     );
     // Dimples of the sacrum.
-    torso.swell(-tone * 0.0030, f.ball([0.042, 0.998, -0.084], [0.036, 0.036, 0.036]));
+    torso.swell(-bone * 0.0030, f.ball([0.042, 0.998, -0.084], [0.036, 0.036, 0.036]));
 }
 
 /// Trapezius from neck to shoulder, and the flat in front of the armpit.
