@@ -14,7 +14,7 @@ pub(super) struct Factors {
     pub hips: f64,
 }
 
-/// Hands and feet, and the neck, follow the head by these powers of its factor.
+/// Hands and feet, and the neck's girth, follow the head by these powers of its factor; the neck keeps its length.
 const EXTREMITIES_POWER: f64 = 0.25;
 const NECK_POWER: f64 = 0.5;
 
@@ -93,7 +93,10 @@ fn linear(skeleton: &Skeleton, bone: Bone, f: &Factors) -> DMat3 {
         Bone::Spine => broader(mix(1.0 / 3.0)),
         Bone::Chest => broader(mix(2.0 / 3.0)),
         Bone::UpperChest | Bone::LeftShoulder | Bone::RightShoulder => broader(f.shoulders),
-        Bone::Neck => even(f.head.powf(NECK_POWER)),
+        Bone::Neck => {
+            let girth = f.head.powf(NECK_POWER);
+            DMat3::from_diagonal(DVec3::new(girth, 1.0, girth))
+        }
         Bone::LeftUpperArm => along(Bone::LeftLowerArm, f.arms),
         Bone::RightUpperArm => along(Bone::RightLowerArm, f.arms),
         Bone::LeftLowerArm => along(Bone::LeftHand, f.arms),
