@@ -2,7 +2,7 @@
 //! `time frames COUNT [ao] [msaa1] [noshadow] [half] [empty] [balls] [still] [clay|matcap|flat|line] [planes]`. The cost
 //! of a picture is the slope over COUNT. With `still` only the camera moves. What the last picture asked of the device
 //! goes to standard error.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stderr)]
 
 use glam::Vec3;
 use render::{Ball, FigureView, Gpu, Layer, Look, Msaa, Overlay, Renderer, Scene, Style};

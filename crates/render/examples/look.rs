@@ -1,7 +1,7 @@
 //! Writes a picture of the mannequin to standard output, as PAM:
 //! `look VIEW [depth|normal|silhouette|parts] [clay|matcap|flat|line] [planes] [light] [plain] [ghost] [near] [face]
 //! [high] [lean] [bare] [twice] [large] [transparent] > out.pam`.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stderr)]
 
 use std::io::Write;
 
@@ -62,12 +62,8 @@ fn main() {
     let look = if has("lean") { look.lean() } else { look };
     let overlay = if has("plain") { Overlay::default() } else { marks() };
     let scene = Scene { look, pass, overlay: &overlay, ..Scene::new(figures, camera, size) };
-    let started = std::time::Instant::now();
     let image = renderer.image(&scene).unwrap();
-    eprintln!("{:?} {:?}", started.elapsed(), renderer.stats());
-    let started = std::time::Instant::now();
-    let _ = renderer.image(&scene).unwrap();
-    eprintln!("again {:?} {:?}", started.elapsed(), renderer.stats());
+    eprintln!("{:?}", renderer.stats());
     let mut out = std::io::stdout().lock();
     let [width, height] = size;
     let head =

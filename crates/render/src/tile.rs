@@ -25,7 +25,7 @@ impl Tile {
     }
 
     /// From the clip space of the whole picture to that of the rectangle.
-    pub fn from_whole(&self) -> Mat4 {
+    pub fn tile_from_whole(&self) -> Mat4 {
         let [width, height] = self.whole.map(|s| s as f32);
         let [x, y] = self.origin.map(|s| s as f32);
         let [across, down] = self.size.map(|s| s as f32);
@@ -51,9 +51,9 @@ mod tests {
         for (pixel, expected) in [([100.0, 50.0], [-1.0, 1.0]), ([150.0, 150.0], [1.0, -1.0])] {
             let [x, y] = pixel;
             let whole = Vec3::new(x / 200.0 - 1.0, 1.0 - y / 100.0, 0.5);
-            let at = tile.from_whole().project_point3(whole);
+            let at = tile.tile_from_whole().project_point3(whole);
             assert!((at - Vec3::new(expected[0], expected[1], 0.5)).length() < 1e-6, "{at}");
         }
-        assert_eq!(Tile::of_all([7, 9]).from_whole(), Mat4::IDENTITY);
+        assert_eq!(Tile::of_all([7, 9]).tile_from_whole(), Mat4::IDENTITY);
     }
 }

@@ -10,7 +10,6 @@ use render::{
 };
 use rig::{Bone, Camera, Palette, View};
 
-#[allow(dead_code)]
 mod body;
 
 static GPU: LazyLock<Gpu> = LazyLock::new(|| Gpu::headless().expect("a graphics adapter"));

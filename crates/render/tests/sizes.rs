@@ -7,7 +7,6 @@ use render::{
 };
 use rig::{Camera, View};
 
-#[allow(dead_code)]
 mod body;
 
 const SIZE: [u32; 2] = [320, 240];
