@@ -126,7 +126,7 @@ fn webs(f: &Fit, palm: &mut Part) {
 fn back(skeleton: &Skeleton, f: &Fit, palm: &mut Part) {
     let g = f.girth();
     let wrist = skeleton.rest_position(Bone::LeftHand);
-    for finger in &FINGERS[1..] {
+    for (finger, height) in FINGERS[1..].iter().zip([0.0036, 0.0034, 0.0027, 0.0024]) {
         let at = skeleton.rest_position(finger[0]);
         let top = at + DVec3::new(-0.0010, 0.0105, 0.0) * g;
         let ball = |center: DVec3, radii: DVec3| Shape::Ellipsoid {
@@ -134,10 +134,10 @@ fn back(skeleton: &Skeleton, f: &Fit, palm: &mut Part) {
             frame: glam::DMat3::IDENTITY,
             radii: radii * g,
         };
-        palm.swell(0.0030 * g, ball(top, DVec3::new(0.0135, 0.0120, 0.0095)));
+        palm.swell(height * g, ball(top, DVec3::new(0.0160, 0.0140, 0.0108)));
         let start = wrist.lerp(at, 0.48) + DVec3::Y * 0.0150 * g;
         let end = at + DVec3::new(-0.012, 0.0115, 0.0) * g;
-        palm.swell(0.0009 * g, Shape::Cone { a: start, b: end, ra: 0.0055 * g, rb: 0.0060 * g });
+        palm.swell(0.0013 * g, Shape::Cone { a: start, b: end, ra: 0.0055 * g, rb: 0.0060 * g });
     }
     for pair in FINGERS[1..].windows(2) {
         let [one, other] = [0, 1].map(|i| skeleton.rest_position(pair[i][0]));
