@@ -2,34 +2,8 @@
 
 use super::field::Part;
 use super::fit::Fit;
-use super::physique::Physique;
+use super::physique::{Ends, Physique};
 use super::shape::Shape;
-
-/// The physique by its ends, each 0 in the neutral adult.
-struct Ends {
-    male: f64,
-    female: f64,
-    heavy: f64,
-    slender: f64,
-    muscle: f64,
-    child: f64,
-    old: f64,
-}
-
-impl Ends {
-    fn new(physique: &Physique) -> Ends {
-        let Physique { sex, build, muscle, age } = *physique;
-        Ends {
-            male: (-sex).max(0.0),
-            female: sex.max(0.0),
-            heavy: build.max(0.0),
-            slender: (-build).max(0.0),
-            muscle,
-            child: (-age).max(0.0),
-            old: age.max(0.0),
-        }
-    }
-}
 
 /// Raises by so many millimetres.
 fn raise(part: &mut Part, millimetres: f64, shape: Shape) {
@@ -38,7 +12,7 @@ fn raise(part: &mut Part, millimetres: f64, shape: Shape) {
 
 /// Changes the head (without the lids, which lie on the eyeballs) and the neck.
 pub fn add(head: &Fit, neck: &Fit, physique: &Physique, part: &mut Part) {
-    let ends = Ends::new(physique);
+    let ends = physique.ends();
     skull(head, &ends, part);
     cheeks(head, &ends, part);
     nose_and_mouth(head, &ends, part);

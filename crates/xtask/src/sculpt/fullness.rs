@@ -4,38 +4,12 @@
 
 use super::field::Part;
 use super::fit::Fit;
-use super::physique::Physique;
+use super::physique::{Ends, Physique};
 use super::shape::Shape;
-
-/// The physique by its ends, each 0 in the neutral adult; muscle has both signs.
-struct Ends {
-    male: f64,
-    female: f64,
-    heavy: f64,
-    slender: f64,
-    muscle: f64,
-    child: f64,
-    old: f64,
-}
-
-impl Ends {
-    fn new(physique: &Physique) -> Ends {
-        let Physique { sex, build, muscle, age } = *physique;
-        Ends {
-            male: (-sex).max(0.0),
-            female: sex.max(0.0),
-            heavy: build.max(0.0),
-            slender: (-build).max(0.0),
-            muscle,
-            child: (-age).max(0.0),
-            old: age.max(0.0),
-        }
-    }
-}
 
 /// How clearly muscles part under the skin, 1 in the neutral adult.
 pub fn tone(physique: &Physique) -> f64 {
-    let e = Ends::new(physique);
+    let e = physique.ends();
     let tone = 1.0 + 0.6 * e.muscle + 0.15 * e.male - 0.35 * e.female + 0.15 * e.slender
         - 0.55 * e.heavy
         - 0.65 * e.child
@@ -45,7 +19,7 @@ pub fn tone(physique: &Physique) -> f64 {
 
 /// How clearly bones show under the skin, 1 in the neutral adult.
 pub fn bone(physique: &Physique) -> f64 {
-    let e = Ends::new(physique);
+    let e = physique.ends();
     let bone = 1.0 + 0.10 * e.male - 0.25 * e.female + 0.35 * e.slender - 0.50 * e.heavy - 0.65 * e.child
         + 0.40 * e.old;
     bone.clamp(0.1, 2.0)
@@ -61,7 +35,7 @@ fn raise(part: &mut Part, millimetres: f64, shape: Shape) {
 
 /// Breasts, breast muscle and rib cage.
 pub fn chest(f: &Fit, physique: &Physique, part: &mut Part) {
-    let e = Ends::new(physique);
+    let e = physique.ends();
     if e.female > 0.0 {
         // They rise from within the rib cage, so that nothing shows at 0.
         let z = 0.010 + 0.066 * e.female;
@@ -93,7 +67,7 @@ pub fn chest(f: &Fit, physique: &Physique, part: &mut Part) {
 
 /// Back: its broad muscle and trapezius, the bent upper spine of age.
 pub fn back(f: &Fit, physique: &Physique, part: &mut Part) {
-    let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
+    let Ends { male, female, heavy, slender, muscle, child, old } = physique.ends();
     raise(
         part,
         4.0 * male - 4.0 * female + 15.0 * muscle + 10.0 * heavy - 3.0 * slender - 4.0 * child - 3.0 * old,
@@ -122,7 +96,7 @@ pub fn back(f: &Fit, physique: &Physique, part: &mut Part) {
 
 /// Waist and belly.
 pub fn belly(f: &Fit, physique: &Physique, part: &mut Part) {
-    let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
+    let Ends { male, female, heavy, slender, muscle, child, old } = physique.ends();
     raise(
         part,
         37.0 * heavy - 6.0 * slender - 2.0 * muscle + 13.0 * child + 12.0 * old,
@@ -143,7 +117,7 @@ pub fn belly(f: &Fit, physique: &Physique, part: &mut Part) {
 
 /// Hips and seat: trunk and thigh both have them, so that they stay where the two join.
 pub fn hips(f: &Fit, physique: &Physique, part: &mut Part) {
-    let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
+    let Ends { male, female, heavy, slender, muscle, child, old } = physique.ends();
     raise(
         part,
         -7.0 * male + 11.0 * female + 20.0 * heavy - 7.0 * slender - 5.0 * child - 2.0 * old,
@@ -159,7 +133,7 @@ pub fn hips(f: &Fit, physique: &Physique, part: &mut Part) {
 
 /// Thigh and calf.
 pub fn leg(f: &Fit, physique: &Physique, part: &mut Part) {
-    let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
+    let Ends { male, female, heavy, slender, muscle, child, old } = physique.ends();
     let bulk = -2.0 * male + 3.0 * female + 20.0 * heavy - 7.0 * slender - 1.0 * child - 7.0 * old;
     raise(
         part,
@@ -221,7 +195,7 @@ pub fn leg(f: &Fit, physique: &Physique, part: &mut Part) {
 
 /// Shoulder, upper arm and forearm.
 pub fn arm(f: &Fit, physique: &Physique, part: &mut Part) {
-    let Ends { male, female, heavy, slender, muscle, child, old } = Ends::new(physique);
+    let Ends { male, female, heavy, slender, muscle, child, old } = physique.ends();
     raise(
         part,
         5.0 * male - 6.0 * female + 14.0 * muscle + 9.0 * heavy - 4.0 * slender - 5.0 * child - 5.0 * old,

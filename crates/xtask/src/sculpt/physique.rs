@@ -16,4 +16,37 @@ pub struct Physique {
 impl Physique {
     /// The neutral adult.
     pub const NEUTRAL: Physique = Physique { sex: 0.0, build: 0.0, muscle: 0.0, age: 0.0 };
+
+    /// The same by its ends.
+    pub fn ends(&self) -> Ends {
+        let Physique { sex, build, muscle, age } = *self;
+        Ends {
+            male: (-sex).max(0.0),
+            female: sex.max(0.0),
+            heavy: build.max(0.0),
+            slender: (-build).max(0.0),
+            muscle,
+            child: (-age).max(0.0),
+            old: age.max(0.0),
+        }
+    }
+}
+
+/// A physique by its ends: each 0 in the neutral adult, 1 at that end; muscle has both signs.
+#[derive(Clone, Copy, Debug)]
+pub struct Ends {
+    /// Of sex, below 0.
+    pub male: f64,
+    /// Of sex, above 0.
+    pub female: f64,
+    /// Of build, above 0.
+    pub heavy: f64,
+    /// Of build, below 0.
+    pub slender: f64,
+    /// Muscle as it is.
+    pub muscle: f64,
+    /// Of age, below 0.
+    pub child: f64,
+    /// Of age, above 0.
+    pub old: f64,
 }
