@@ -9,9 +9,9 @@ use crate::{DrawError, Image};
 /// The longest edge of a picture of any kind, pixels.
 pub(crate) const GREATEST_EDGE: u32 = 100_000;
 /// The longest edge of a piece, drawn pixels.
-pub(crate) const PIECE_EDGE: u32 = 2560;
+pub(crate) const PIECE_EDGE: u32 = 2048;
 /// Pixels drawn at once: textures of a piece take some forty bytes each.
-const PIECE_PIXELS: u32 = 2560 * 1600;
+const PIECE_PIXELS: u32 = 2048 * 1280;
 /// Bytes of a band at most, unless a single row has more.
 const BAND_BYTES: u64 = 64 << 20;
 
@@ -201,8 +201,8 @@ mod tests {
                 assert!(u64::from(height) * u64::from(size[0]) * 4 <= BAND_BYTES || height == 1);
             }
         }
-        let scene = Scene::new(&[], Camera::default(), [2560, 1600]);
-        assert_eq!(Cuts::of(&scene, PIECE_EDGE).piece, [2560, 1600], "usual pictures are drawn at once");
+        let scene = Scene::new(&[], Camera::default(), [1920, 1200]);
+        assert_eq!(Cuts::of(&scene, PIECE_EDGE).piece, [1920, 1200], "usual pictures are drawn at once");
     }
 
     #[test]

@@ -291,10 +291,10 @@ impl Renderer {
         if self.survey_key == key {
             return self.counters.kept(3);
         }
-        if self.survey.as_ref().is_none_or(|survey| survey.size != tile.size) {
+        if self.survey.as_ref().is_none_or(|survey| (survey.search, survey.size) != (search, tile.size)) {
             self.survey = None;
             let layouts = &self.pipelines.layouts;
-            self.survey = Some(Survey::new(&self.gpu.device, layouts, &self.shadow.depth, tile.size));
+            self.survey = Some(Survey::new(&self.gpu.device, layouts, &self.shadow.depth, search, tile.size));
         }
         self.counters.upload(self.survey_buffer.write(&self.gpu, &uniform));
         self.record_survey(encoder, scene, search);

@@ -9,7 +9,7 @@ use crate::tile::Tile;
 /// The longest edge of a survey of openness, pixels; what it finds is smooth, so larger pictures need no larger one.
 const OPENNESS_EDGE: u32 = 1600;
 /// The longest edge of a survey for a drawing, which has two pixels for each of the picture's until then.
-const DRAWING_EDGE: u32 = 3600;
+const DRAWING_EDGE: u32 = 2880;
 
 /// What a survey looks for.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -44,6 +44,7 @@ pub(crate) fn tile_of(search: Search, whole: [u32; 2]) -> Tile {
 /// The textures of a survey, and what shaders read of them.
 #[derive(Debug)]
 pub(crate) struct Survey {
+    pub search: Search,
     pub size: [u32; 2],
     pub depth: wgpu::TextureView,
     pub normal: wgpu::TextureView,
@@ -62,9 +63,10 @@ impl Survey {
         device: &wgpu::Device,
         layouts: &Layouts,
         shadow: &wgpu::TextureView,
+        search: Search,
         size: [u32; 2],
     ) -> Survey {
-        let texture = |label, format| {
+        let texture = |label, format, size: [u32; 2]| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
                 size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
@@ -77,10 +79,12 @@ impl Survey {
             });
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
-        let depth = texture("survey depth", DEPTH_FORMAT);
-        let normal = texture("survey normals", PICTURE_FORMAT);
-        let rough = texture("survey, rough", PICTURE_FORMAT);
-        let found = texture("survey", PICTURE_FORMAT);
+        // Lines are found at once.
+        let rough_size = if search == Search::Lines { [1, 1] } else { size };
+        let depth = texture("survey depth", DEPTH_FORMAT, size);
+        let normal = texture("survey normals", PICTURE_FORMAT, size);
+        let rough = texture("survey, rough", PICTURE_FORMAT, rough_size);
+        let found = texture("survey", PICTURE_FORMAT, size);
         let group = |layout, views: &[&wgpu::TextureView]| {
             let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
                 .zip(views)
@@ -99,6 +103,7 @@ impl Survey {
             seen_group: group(&layouts.seen, &[&depth, &normal, shadow]),
             rough_group: group(&layouts.found, &[&rough]),
             found_group: group(&layouts.found, &[&found]),
+            search,
             size,
             depth,
             normal,
