@@ -158,7 +158,7 @@ pub fn leg(f: &Fit, physique: &Physique, part: &mut Part) {
     // Inside there is little room.
     raise(
         part,
-        2.0 * female + 5.0 * heavy - 5.0 * slender - 4.0 * old + muscle,
+        1.0 * female + 2.5 * heavy - 5.0 * slender - 4.0 * old + 0.5 * muscle,
         f.ridge(&[
             [0.018, 0.800, -0.010, 0.070],
             [0.022, 0.720, 0.000, 0.070],
