@@ -29,7 +29,7 @@ impl Shown {
         let both = |title, tip| (title, tip, 100.0, " %", 0, -100.0, 100.0);
         let factor = |title, tip, min, max| (title, tip, 100.0, " %", 0, min, max);
         let (title, tip, scale, suffix, decimals, min, max) = match slider {
-            BodySlider::Stature => ("Stature", "Sole to crown", 100.0, " cm", 1, 80.0, 220.0),
+            BodySlider::Stature => ("Stature", "Sole to crown", 100.0, " cm", 0, 80.0, 220.0),
             BodySlider::Sex => both("Sex", "Sex characteristics: male to the left, female to the right"),
             BodySlider::Build => both("Build", "Slender to the left, heavy to the right"),
             BodySlider::Muscle => both("Muscle", "Slight to the left, athletic to the right"),
@@ -54,7 +54,7 @@ impl Sheet<'_> {
     pub(super) fn body(&mut self, ui: &mut Ui) {
         ui.add_space(4.0);
         let header = CollapsingHeader::new("Body").id_salt("body of the figure");
-        let shown = header.show(ui, |ui| match self.editor.clay() {
+        let shown = header.show_unindented(ui, |ui| match self.editor.clay() {
             Some(clay) => {
                 self.preset(ui);
                 let now = self.editor.document().body;

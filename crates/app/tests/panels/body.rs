@@ -102,3 +102,23 @@ fn a_figure_from_nowhere_says_why_its_body_stays() {
     click(&mut hand, "Body");
     hand.get_by_label_contains("not known which file");
 }
+
+#[test]
+fn the_picture_shows_the_new_body() {
+    let mut session = app::Session::new(edit::Editor::new(app::load::figure(None).unwrap()), None);
+    session.figure_from("library:mannequin.figure.ron".into());
+    for each in Section::ALL {
+        session.panels.set_open(each, each == Section::Figure);
+    }
+    let mut hand = crate::looks::drawn(session, true);
+    click(&mut hand, "Body");
+    let head = hand.state().editor().evaluation().frames[Bone::Head].position;
+    let at = hand.state().viewport.window_of(head + glam::DVec3::Y * 0.12).unwrap();
+    let mut seen = |hand: &mut Hand| *hand.render().unwrap().get_pixel(at.x as u32, at.y as u32);
+    let skin = seen(&mut hand);
+    set(&mut hand, "Body stature", 120.0);
+    let air = seen(&mut hand);
+    assert!(skin.0[0] > air.0[0].saturating_add(60), "{skin:?} before, {air:?} after");
+    undo(&mut hand);
+    assert_eq!(seen(&mut hand), skin);
+}
