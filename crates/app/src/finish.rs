@@ -32,6 +32,15 @@ impl Finish {
         Look { style, joint_planes, ambient_occlusion, ..look }
     }
 
+    /// The finish of a look.
+    pub fn of(look: &Look) -> Finish {
+        Finish {
+            style: look.style,
+            joint_planes: look.joint_planes,
+            ambient_occlusion: look.ambient_occlusion,
+        }
+    }
+
     /// The next style, the first after the last.
     #[must_use]
     pub fn next(self) -> Finish {
@@ -79,5 +88,7 @@ mod tests {
         }
         assert_eq!(seen, Style::ALL);
         assert_eq!(finish, Finish { joint_planes: true, ..Finish::default() });
+        assert_eq!(Finish::of(&finish.on(Look::default())), finish);
+        assert_eq!(Finish::of(&Look::default()), Finish::default(), "the default is that of pictures");
     }
 }

@@ -299,6 +299,8 @@ fn render_shows_in_the_window_what_is_asked_for() {
     for options in [
         &["--select", "leftHand,leftLowerArm"][..],
         &["--do", "SecondView,Theme"],
+        &["--do", "MatcapLook"],
+        &["--look", "clay"],
         &["--guides", "leftArm:outer"],
         &["--pointer", "520,250"],
         &["--pointer", "520,250", "--drag-to", "560,220"],

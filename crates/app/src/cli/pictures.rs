@@ -8,6 +8,7 @@ use render::{Look, Pass, Style};
 use rig::{Projection, View};
 
 use crate::failure::Failure;
+use crate::finish::Finish;
 use crate::load::{self, Kind};
 use crate::picture::{
     Darkroom, Facts, Format, Naming, Order, Posed, Shot, Viewpoint, Work, title_of, turntable, write_png,
@@ -249,7 +250,8 @@ fn window(told: &RenderArguments, editor: &edit::Editor, view: View) -> Result<(
     if Naming::of(&told.output)?.format != Format::Png {
         return Err(Failure::Usage("a picture of the window is a .png".to_owned()));
     }
-    let image = ui_picture(editor, &told.file, view, told.size, &told.showing)?;
+    let finish = Finish::of(&told.look.look(told.style));
+    let image = ui_picture(editor, &told.file, view, finish, told.size, &told.showing)?;
     let facts = Facts::new(&title_of(&told.file), &editor.figure().name);
     write_png(&image, &facts, &told.output)
 }

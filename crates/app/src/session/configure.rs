@@ -3,6 +3,7 @@
 use egui::{Context, Ui};
 
 use super::Session;
+use crate::finish::Finish;
 use crate::keymap::Keymap;
 use crate::settings::ConfigFolder;
 use crate::theme;
@@ -24,6 +25,11 @@ impl Session {
             let message = format!("{} · the defaults are used", words.join(" · "));
             self.tell(Err(crate::failure::Failure::Input(message)));
         }
+    }
+
+    /// Gives the figure another look.
+    pub fn set_finish(&mut self, finish: Finish) {
+        self.settings.finish = finish;
     }
 
     /// Gives the window the look and the size that were chosen.

@@ -8,6 +8,7 @@ use render::Image;
 use rig::View;
 
 use crate::failure::Failure;
+use crate::finish::Finish;
 use crate::painter::Painter;
 use crate::picture::open_gpu;
 use crate::session::Session;
@@ -23,11 +24,13 @@ pub fn ui_picture(
     editor: &Editor,
     file: &Path,
     view: View,
+    finish: Finish,
     size: [u32; 2],
     showing: &Showing,
 ) -> Result<Image, Failure> {
     let mut session = Session::new(editor.clone(), Some(file.to_owned()));
     session.viewport.view(view);
+    session.set_finish(finish);
     drawn(&mut session, size, showing)
 }
 
