@@ -11,7 +11,7 @@ use super::blend::soft_max;
 const ROUND: f64 = 0.2;
 /// Half a ramp's length over the least that keeps the order: blended turns run faster in the middle than at their ends,
 /// and something of the skin must be left.
-const ROOM: f64 = 0.5 / (1.0 - ROUND) * 1.35;
+const ROOM: f64 = 0.5 / (1.0 - ROUND) * 1.25;
 
 /// 0 below -1, 1 above 1; straight in between but for its rounded ends, so that it is nowhere steeper than it must be.
 pub fn ramp(x: f64) -> f64 {

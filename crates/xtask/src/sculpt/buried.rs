@@ -70,12 +70,13 @@ impl Remainder {
     fn holds(&self, skeleton: &Skeleton, palette: &Palette) -> bool {
         let (root, next) = self.limb;
         let [from, to] = [root, next].map(|b| skeleton.rest_position(b));
-        // Thighs are thick: they are inside where their upper third is.
-        let nearest = if root.part().name().ends_with("Leg") { 0.25 } else { 0.4 };
-        [nearest, 0.7, 1.0].iter().any(|t| {
-            let p = palette.point(root, from.lerp(to, *t).as_vec3()).as_dvec3();
-            winding(&self.triangles, p) > 0.5
-        })
+        let posed = |t: f64| palette.point(root, from.lerp(to, t).as_vec3()).as_dvec3();
+        // Limbs are thick: a thigh that leans farther inward than this goes through the other one, an upper arm whose
+        // elbow comes to the middle plane through the chest.
+        let leg = root.part().name().ends_with("Leg");
+        let (nearest, middle, inward) = if leg { (0.25, 0.5, 0.4) } else { (0.4, 1.0, 0.1) };
+        [nearest, 0.7, 1.0].iter().any(|t| winding(&self.triangles, posed(*t)) > 0.5)
+            || posed(middle).x * from.x.signum() < inward * from.x.abs()
     }
 }
 

@@ -8,7 +8,7 @@ use super::nets::Surface;
 use super::weights::Shares;
 
 /// Half the width of the strip that follows no side, metres.
-const MIDDLE_M: f64 = 0.006;
+const MIDDLE_M: f64 = 0.003;
 
 /// The neighbours of every vertex, and what evening out must keep: sides, the middle plane, one finger a vertex.
 pub struct Rings {
@@ -28,19 +28,6 @@ impl Rings {
             }
         }
         Rings { neighbours, middle: half.points.iter().map(|p| p.x < MIDDLE_M).collect() }
-    }
-
-    /// 1 at marked vertices, falling evenly to 0 over some rings of neighbours.
-    pub fn spread(&self, marked: &[bool], rings: usize) -> Vec<f64> {
-        let mut strength: Vec<f64> = marked.iter().map(|m| f64::from(u8::from(*m))).collect();
-        for _ in 0..rings {
-            let before = strength.clone();
-            for (v, ring) in self.neighbours.iter().enumerate() {
-                let near = ring.iter().map(|&w| before[w as usize]).fold(0.0, f64::max);
-                strength[v] = strength[v].max(near - 1.0 / (rings as f64 + 1.0));
-            }
-        }
-        strength
     }
 
     /// Draws each vertex's shares toward the mean of its neighbours', by a fraction for each vertex.

@@ -1,5 +1,6 @@
 //! Poses that try a skin hardest: every joint of the left half at the ends of its ranges, alone and together.
 
+use super::hand::FINGERS;
 use glam::{DQuat, DVec3};
 use rig::{Angles, Articulation, Bone, Dof, Frame, Frames, Joint, Palette, Side, Skeleton};
 
@@ -42,6 +43,40 @@ pub fn extremes(skeleton: &Skeleton, base: &[Angles; Bone::COUNT], steps: usize)
                 all.push(Stance { name: told(joint, now), angles });
             }
         }
+    }
+    all
+}
+
+/// What joints do together: arms with their collar, thighs with the spine, all fingers.
+pub fn together(skeleton: &Skeleton) -> Vec<Stance> {
+    let mut all = Vec::new();
+    let mut add = |with: &str, other: Bone, turn: [f64; 3], bone: Bone| {
+        let mut base = [Angles::REST; Bone::COUNT];
+        base[other.index()] = Angles { flexion: turn[0], abduction: turn[1], twist: turn[2] };
+        for end in skeleton.joint(bone).map_or(Vec::new(), ends) {
+            let mut angles = base;
+            angles[bone.index()] = end;
+            let joint = skeleton.joint(bone).map_or(String::new(), |joint| told(joint, end));
+            all.push(Stance { name: format!("{joint} with {with}"), angles });
+        }
+    };
+    add("the collar up", Bone::LeftShoulder, [5.0, 30.0, 15.0], Bone::LeftUpperArm);
+    add("the collar forward", Bone::LeftShoulder, [20.0, 0.0, 0.0], Bone::LeftUpperArm);
+    add("the back bent", Bone::Spine, [20.0, 0.0, 0.0], Bone::LeftUpperLeg);
+    for part in [0.5, 0.8, 1.0] {
+        let mut angles = [Angles::REST; Bone::COUNT];
+        for finger in &FINGERS[1..] {
+            for (bone, degrees) in finger.iter().zip([90.0, 105.0, 70.0]) {
+                angles[bone.index()].flexion = degrees * part;
+            }
+        }
+        for (bone, flexion, abduction) in
+            FINGERS[0].iter().zip([(6.0, 31.0), (52.0, 0.0), (60.0, 0.0)]).map(|(b, (f, a))| (b, f, a))
+        {
+            angles[bone.index()] =
+                Angles { flexion: flexion * part, abduction: abduction * part, twist: 0.0 };
+        }
+        all.push(Stance { name: format!("fist {part}"), angles });
     }
     all
 }

@@ -9,7 +9,7 @@ use rig::{Angles, Bone, Figure, Mesh, Palette, Skeleton, skin_positions};
 
 use super::buried::Depths;
 use super::faults::{askew, squeezed};
-use super::stances::{Stance, ends, extremes, palette, relaxed};
+use super::stances::{Stance, ends, extremes, palette, relaxed, together};
 
 /// Steps from rest to each end of a range.
 const STEPS: usize = 2;
@@ -57,6 +57,7 @@ fn hardly_a_triangle_lies_askew_at_rest() {
 fn no_joint_turns_a_triangle_inside_out() {
     let skeleton = &figure().skeleton;
     let mut stances = extremes(skeleton, &REST, STEPS);
+    stances.extend(together(skeleton));
     // What hanging arms change: the shoulder's surroundings.
     let near = ["leftShoulder", "upperChest", "neck", "leftUpperLeg"];
     let hanging = extremes(skeleton, &relaxed(), STEPS);
