@@ -113,7 +113,8 @@ fn vertices_meet_the_other_body_s_surface() {
     let far = target.iter().filter(|(v, d)| off(*v, d) > 5e-4).count();
     let longest = target.iter().map(|(_, d)| DVec3::from(d.map(f64::from)).length()).fold(0.0, f64::max);
     assert!(longest > 0.04 && target.len() > 800, "{} vertices move up to {longest} m", target.len());
-    assert!(far * 100 < target.len(), "{far} of {} vertices miss the surface", target.len());
+    // A few are held back so that triangles don't fold.
+    assert!(far * 25 < target.len(), "{far} of {} vertices miss the surface", target.len());
     let mut moved = sculpt().clone();
     add_targets(&mut moved, &MorphTargets::from([("belly".to_owned(), target)]), &[("belly", 1.0)]);
     assert_eq!(turned_over(&moved), []);

@@ -30,6 +30,8 @@ const LEAST: f64 = 1e-4;
 /// Rounds of settling, and the longest step of one, metres.
 const ROUNDS: usize = 18;
 const STEP: f64 = 0.005;
+/// A step below this is none, metres.
+const ARRIVED: f64 = 1e-7;
 /// How near to the middle plane a vertex beside it may come, metres.
 const BESIDE: f64 = 2e-4;
 
@@ -104,19 +106,22 @@ impl Half {
         let levels = self.levels(neutral);
         let mut near = Near::new(field);
         let mut shifts = vec![DVec3::ZERO; self.places.len()];
+        // Most vertices have arrived at once and are asked again only when evening out moves them.
+        let mut arrived = vec![false; shifts.len()];
         for round in 0..ROUNDS {
-            let mut steepest = 0.0_f64;
-            for (v, shift) in shifts.iter_mut().enumerate() {
-                let step = self.step(&mut near, v, *shift, levels[v]);
-                steepest = steepest.max(step.length());
-                *shift += step;
+            for v in 0..shifts.len() {
+                if !arrived[v] {
+                    let step = self.step(&mut near, v, shifts[v], levels[v]);
+                    shifts[v] += step;
+                    arrived[v] = step.length() < ARRIVED;
+                }
             }
-            if steepest < 1e-7 {
+            if arrived.iter().all(|a| *a) {
                 break;
             }
             // The last rounds only settle.
             if round + 4 < ROUNDS {
-                self.even_out(&mut shifts);
+                self.even_out(&mut shifts, &mut arrived);
             }
         }
         self.unfold(&mut shifts);
@@ -144,7 +149,7 @@ impl Half {
     }
 
     /// Brings each shift half way to the mean of its neighbours', along the surface only.
-    fn even_out(&self, shifts: &mut [DVec3]) {
+    fn even_out(&self, shifts: &mut [DVec3], arrived: &mut [bool]) {
         let normals = self.normals(shifts);
         let before = shifts.to_vec();
         for (v, shift) in shifts.iter_mut().enumerate().filter(|(v, _)| !self.rings[*v].is_empty()) {
@@ -154,6 +159,7 @@ impl Half {
                 along.x = 0.0;
             }
             *shift += along;
+            arrived[v] &= along.length() < ARRIVED;
         }
     }
 
