@@ -5,6 +5,7 @@ use rig::{Bone, Mesh, Skeleton};
 
 use super::eyes;
 use super::field::{Field, Lookup};
+use super::hand::FINGERS;
 use super::nets::{Surface, polygonize};
 use super::paint;
 use super::relax::relax;
@@ -56,7 +57,14 @@ fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex>
         if slope.dot(face) > 0.5 { slope } else { face }
     };
     let normals: Vec<DVec3> = half.points.iter().zip(face_normals(half)).map(upright).collect();
+    let drawn = shares.clone();
     relax(half, &normals, skeleton, &mut shares).tell();
+    // Fingers may crease at their joints: mending there would bend them like hoses.
+    for (mended, drawn) in shares.iter_mut().zip(&drawn) {
+        if FINGERS.iter().flatten().map(|bone| drawn[bone.index()]).sum::<f64>() > 0.3 {
+            *mended = *drawn;
+        }
+    }
     half.points
         .iter()
         .zip(&shares)
