@@ -10,6 +10,8 @@ mod blend;
 mod body;
 mod buried;
 mod character;
+#[cfg(test)]
+mod contact;
 mod curve;
 mod ear;
 mod extremes;
@@ -21,6 +23,8 @@ mod fit;
 mod foot;
 mod fullness;
 mod hand;
+#[cfg(test)]
+mod handshape_tests;
 mod head;
 mod leg;
 mod nets;
