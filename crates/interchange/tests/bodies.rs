@@ -37,13 +37,14 @@ fn heights(mesh: &Mesh) -> (f64, f64) {
     (f64::from(of(f32::min, f32::MAX)), f64::from(of(f32::max, f32::MIN)))
 }
 
-/// Chin to crown, metres: the chin is the lowest vertex that the jaw moves most.
+/// Chin to crown, metres: the chin is the lowest vertex that the jaw moves most and the neck hardly.
 fn head_height(mesh: &Mesh) -> f64 {
-    let jaw = |v: &usize| {
-        let rows = mesh.joints[*v].iter().zip(mesh.weights[*v]);
-        rows.filter(|(j, _)| usize::from(**j) == Bone::Jaw.index()).map(|(_, w)| u32::from(w)).sum::<u32>()
-            > 40_000
+    let share = |v: usize, bone: Bone| {
+        let rows = mesh.joints[v].iter().zip(mesh.weights[v]);
+        rows.filter(|(j, _)| usize::from(**j) == bone.index()).map(|(_, w)| u32::from(w)).sum::<u32>()
     };
+    let jaw =
+        |v: &usize| share(*v, Bone::Jaw) > 32_767 && share(*v, Bone::Jaw) + share(*v, Bone::Head) > 62_244;
     let chin = (0..mesh.vertex_count()).filter(jaw).map(|v| mesh.positions[v][1]).fold(f32::MAX, f32::min);
     heights(mesh).1 - f64::from(chin)
 }

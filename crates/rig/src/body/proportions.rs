@@ -79,7 +79,9 @@ impl Marks {
             all.clone().filter(|v| share(*v, bones) > u32::from(u16::MAX / 2)).collect()
         };
         let head = most(&[Bone::Head, Bone::Jaw, Bone::LeftEye, Bone::RightEye]);
-        let jaw = most(&[Bone::Jaw]).into_iter().min_by(lowest);
+        // Of the jaw what the neck doesn't hold: it keeps its place on a head of another size.
+        let own = |v: &usize| share(*v, &[Bone::Head, Bone::Jaw]) > u32::from(u16::MAX / 20 * 19);
+        let jaw = most(&[Bone::Jaw]).into_iter().filter(own).min_by(lowest);
         let joint = skeleton.rest_position(Bone::Head).z as f32;
         let foremost = head.iter().map(|v| mesh.positions[*v][2]).fold(joint, f32::max);
         let front = |v: &&usize| mesh.positions[**v][2] > 0.5 * (joint + foremost);
