@@ -74,7 +74,7 @@ impl<'a> Weigher<'a> {
         let elbow = self.from(Bone::LeftLowerArm, p);
         let fore = Bend { closes: &[(DVec3::Z, 2.62)], least: 0.032, most: 0.100 };
         // Inside, the fold lies a little beyond the joint: so it stays shallow.
-        let fore = fore.share(elbow, elbow.x - 0.018 * ease(0.0, 0.03, elbow.z));
+        let fore = fore.share(elbow, elbow.x - 0.004 * ease(0.0, 0.03, elbow.z));
         let wrist = self.from(Bone::LeftHand, p);
         let closes = [(DVec3::NEG_Y, 1.4), (DVec3::Y, 1.22), (DVec3::Z, 0.35), (DVec3::NEG_Z, 0.52)];
         let hand = Bend { closes: &closes, least: 0.024, most: 0.04 }.share(wrist, wrist.x + 0.003);
@@ -157,7 +157,7 @@ impl<'a> Weigher<'a> {
         }
         let knee = self.from(Bone::LeftLowerLeg, p);
         let bend = Bend { closes: &[(DVec3::NEG_Z, 2.7)], least: 0.050, most: 0.125 };
-        let shank = bend.share(knee, -knee.y - 0.016 * ease(0.0, -0.04, knee.z));
+        let shank = bend.share(knee, -knee.y - 0.008 * ease(0.0, -0.04, knee.z));
         let ankle = self.from(Bone::LeftFoot, p);
         let closes = [(DVec3::NEG_Z, 0.95), (DVec3::Z, 0.5), (DVec3::X, 0.5), (DVec3::NEG_X, 0.5)];
         let bend = Bend { closes: &closes, least: 0.028, most: 0.040 };
