@@ -17,8 +17,8 @@ const STEPS: usize = 2;
 const VOLUME: f64 = 0.08;
 /// The same for a thigh: where legs spread wide, the skin between them stays behind. To be brought to the former.
 const THIGH_VOLUME: f64 = 0.90;
-/// Triangles that a pose may turn: what is hidden between thighs and in fists. To be brought to 0.
-const TURNED: usize = 170;
+/// Triangles that a pose may turn: what is hidden between thighs. To be brought to 0.
+const TURNED: usize = 30;
 /// How far parts may part that touch at rest, metres.
 const GAP_M: f32 = 0.001;
 const REST: [Angles; Bone::COUNT] = [Angles::REST; Bone::COUNT];
