@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::blend::{FAR, soft_max};
+use super::blend::{FAR, mix, soft_max};
 use super::curve::Curve;
 
 /// A closed box along the world axes.
@@ -107,8 +107,8 @@ impl Shape {
         }
     }
 
-    /// 1 at the core of the solid, 0 from its surface on, smooth in between; the core is a ball's centre or a ridge's
-    /// line. Other solids have none.
+    /// 1 at the core of the solid, 0 from its surface on, smooth in between; the core is a ball's centre, or the line of
+    /// a ridge, a cone or a strand. Other solids have none.
     pub fn core(&self, p: DVec3) -> f64 {
         match self {
             Shape::Ellipsoid { center, frame, radii } => {
@@ -117,7 +117,11 @@ impl Shape {
             Shape::Ridge(beads) => {
                 beads.iter().map(|b| b.share * fall((p - b.at).length_squared() / b.r2)).sum()
             }
-            _ => 0.0,
+            Shape::Cone { a, b, ra, rb } => along(p, (*a, *ra), (*b, *rb)),
+            Shape::Strand(beads) => {
+                beads.windows(2).map(|pair| along(p, pair[0], pair[1])).fold(0.0, f64::max)
+            }
+            Shape::Slab { .. } | Shape::Loft(_) | Shape::Slit(_) => 0.0,
         }
     }
 
@@ -147,6 +151,13 @@ impl Shape {
             Shape::Slit(slit) => around(slit.center, DVec3::splat(slit.radius * 1.4)),
         }
     }
+}
+
+/// 1 on the line between two balls, 0 from the radius there on.
+fn along(p: DVec3, (a, ra): (DVec3, f64), (b, rb): (DVec3, f64)) -> f64 {
+    let line = b - a;
+    let t = ((p - a).dot(line) / line.length_squared().max(1e-18)).clamp(0.0, 1.0);
+    fall((p - a - line * t).length_squared() / mix(ra, rb, t).powi(2).max(1e-18))
 }
 
 fn around(center: DVec3, half: DVec3) -> Bounds {
