@@ -144,7 +144,7 @@ impl<'a> Weigher<'a> {
         let d = self.from(Bone::LeftUpperLeg, p);
         let closes = [(DVec3::Z, 1.9), (DVec3::X, 1.5), (DVec3::NEG_X, 1.7), (DVec3::NEG_Z, 0.7)];
         // The border follows the groin: high outside and in front, low under the seat, lowest between the legs.
-        let inward = 0.19 * ramp((-d.x - 0.036) / 0.066);
+        let inward = 0.12 * ramp((-d.x - 0.036) / 0.066);
         let bend = Bend { closes: &closes, least: 0.080 + 0.45 * inward, most: 0.130 + 0.25 * inward };
         let lower = inward + 0.25 * (-d.z).max(0.0) - 0.2 * d.x.max(0.0);
         let crotch = mix(1.0, ease(0.004, 0.050, p.x / self.scale), ease(-0.170, -0.100, d.y));
