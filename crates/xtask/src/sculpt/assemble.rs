@@ -56,7 +56,8 @@ fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex>
         let slope = lookup.normal(*place);
         if slope.dot(face) > 0.5 { slope } else { face }
     };
-    let normals: Vec<DVec3> = half.points.iter().zip(face_normals(half)).map(upright).collect();
+    let mut normals: Vec<DVec3> = half.points.iter().zip(face_normals(half)).map(upright).collect();
+    lean(half, &mut normals);
     let drawn = shares.clone();
     relax(half, &normals, skeleton, &mut shares).tell();
     // Fingers may crease at their joints: mending there would bend them like hoses.
@@ -91,6 +92,34 @@ fn face_normals(half: &Surface) -> Vec<DVec3> {
         *sum = sum.normalize_or(DVec3::Y);
     }
     sums
+}
+
+/// Leans normals over until each triangle faces the way that its corners do: in the lids' corners neither the field nor
+/// the mean of the triangles around knows.
+fn lean(half: &Surface, normals: &mut [DVec3]) {
+    for _ in 0..60 {
+        let mut settled = true;
+        for triangle in &half.triangles {
+            let [a, b, c] = triangle.map(|v| half.points[v as usize]);
+            let face = (b - a).cross(c - a).normalize_or_zero();
+            let sum: DVec3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+            if face.dot(sum) >= 0.1 {
+                continue;
+            }
+            settled = false;
+            for &v in triangle {
+                let v = v as usize;
+                let mut leant = normals[v] + 0.25 * face;
+                if half.points[v].x == 0.0 {
+                    leant.x = 0.0;
+                }
+                normals[v] = leant.normalize_or(normals[v]);
+            }
+        }
+        if settled {
+            return;
+        }
+    }
 }
 
 /// Adds the left half and its mirror image; vertices on the middle plane serve both.

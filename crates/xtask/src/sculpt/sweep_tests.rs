@@ -16,9 +16,12 @@ const STEPS: usize = 2;
 /// How much a limb's middle may swell or shrink.
 const VOLUME: f64 = 0.08;
 /// The same for a thigh: where legs spread wide, the skin between them stays behind. To be brought to the former.
-const THIGH_VOLUME: f64 = 0.90;
-/// Triangles that a pose may turn: what is hidden between thighs. To be brought to 0.
-const TURNED: usize = 30;
+const THIGH_VOLUME: f64 = 0.60;
+/// Triangles that a joint at its extremes may turn, of some 55,000: what is hidden in the groin and in fists. To be
+/// brought to 0.
+const TURNED_BY_A_JOINT: usize = 75;
+/// The same for a shipped pose. To be brought to 0.
+const TURNED_IN_A_POSE: usize = 170;
 /// How far parts may part that touch at rest, metres.
 const GAP_M: f32 = 0.001;
 const REST: [Angles; Bone::COUNT] = [Angles::REST; Bone::COUNT];
@@ -42,13 +45,13 @@ fn freed(stances: Vec<Stance>) -> impl Iterator<Item = (Stance, Palette)> {
     stances.into_iter().filter_map(|stance| depths().freed(&figure().skeleton, stance))
 }
 
-/// Names the triangles that a pose turns inside out, if any: how many, and where the first is.
-fn turned(name: &str, palette: &Palette) -> Option<String> {
+/// Names the triangles that a pose turns inside out, if they are more than allowed: how many, and where the first is.
+fn turned(name: &str, palette: &Palette, allowed: usize) -> Option<String> {
     static ASKEW: OnceLock<HashSet<usize>> = OnceLock::new();
     let askew = ASKEW.get_or_init(|| askew(skin()).into_iter().collect());
     let all: Vec<usize> = squeezed(skin(), palette, 0.0).into_iter().filter(|t| !askew.contains(t)).collect();
     let place = |t: usize| Vec3::from_array(skin().positions[skin().indices[3 * t] as usize]);
-    all.get(TURNED)?;
+    all.get(allowed)?;
     all.first().map(|t| format!("{name}: {} triangles, the first at rest near {:.3}", all.len(), place(*t)))
 }
 
@@ -67,7 +70,8 @@ fn no_joint_turns_more_than_a_few_triangles_inside_out() {
     let near = ["leftShoulder", "upperChest", "neck", "leftUpperLeg"];
     let hanging = extremes(skeleton, &relaxed(), STEPS);
     stances.extend(hanging.into_iter().filter(|s| near.iter().any(|b| s.name.starts_with(b))));
-    let faults: Vec<String> = freed(stances).filter_map(|(s, palette)| turned(&s.name, &palette)).collect();
+    let faults: Vec<String> =
+        freed(stances).filter_map(|(s, palette)| turned(&s.name, &palette, TURNED_BY_A_JOINT)).collect();
     assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -82,7 +86,7 @@ fn no_shipped_pose_turns_more_than_a_few_triangles_inside_out() {
         let pose = patch.onto(&figure().rest_pose());
         let rest = Bone::ALL.map(|b| figure().skeleton.rest_position(b));
         let palette = Palette::new(&rig::frames(figure(), &pose), &rest);
-        faults.extend(turned(&path.file_name().unwrap().to_string_lossy(), &palette));
+        faults.extend(turned(&path.file_name().unwrap().to_string_lossy(), &palette, TURNED_IN_A_POSE));
     }
     assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));
 }

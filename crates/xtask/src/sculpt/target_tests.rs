@@ -7,6 +7,7 @@ use glam::DVec3;
 use rig::{Bone, Mesh, MorphTargets, add_targets};
 
 use super::body;
+use super::faults::TINY_M2;
 use super::field::{Blob, Field, Op};
 use super::physique::Physique;
 use super::shape::Shape;
@@ -36,6 +37,8 @@ fn turned_over(moved: &Mesh) -> Vec<DVec3> {
     };
     let triangles = sculpt().indices.chunks_exact(3);
     triangles
+        // The smallest have no side worth speaking of.
+        .filter(|t| 0.5 * face(sculpt(), t).length() >= f64::from(TINY_M2))
         .filter(|t| face(sculpt(), t).dot(face(moved, t)) <= 0.0)
         .map(|t| place(sculpt(), t[0]))
         .collect()

@@ -25,13 +25,16 @@ const ENDS: [(&str, Physique); 8] = [
     ("old", Physique { age: 1.0, ..Physique::NEUTRAL }),
 ];
 
-/// Shifts below this are left out, metres.
+/// Shifts that settle below this are none, metres.
 const LEAST: f64 = 1e-4;
 /// Rounds of settling, and the longest step of one, metres.
 const ROUNDS: usize = 18;
 const STEP: f64 = 0.005;
-/// A step below this is none, metres.
+/// A step below this is none, and no shift is written that is, metres.
 const ARRIVED: f64 = 1e-7;
+/// Rounds of unfolding, and after how many the region that is evened out grows by a ring.
+const UNFOLDING: usize = 300;
+const WIDER: usize = 40;
 /// How near to the middle plane a vertex beside it may come, metres.
 const BESIDE: f64 = 2e-4;
 
@@ -124,6 +127,7 @@ impl Half {
                 self.even_out(&mut shifts, &mut arrived);
             }
         }
+        shifts.iter_mut().filter(|s| s.length() < LEAST).for_each(|s| *s = DVec3::ZERO);
         self.unfold(&mut shifts);
         self.written(&shifts)
     }
@@ -196,7 +200,7 @@ impl Half {
     /// Where triangles have turned over or leant far, brings the shifts around them together until none has.
     fn unfold(&self, shifts: &mut [DVec3]) {
         let rest = vec![DVec3::ZERO; shifts.len()];
-        for _ in 0..200 {
+        for round in 0..UNFOLDING {
             let folded = |t: &&[u32; 3]| {
                 let (was, is) = (self.face(t, &rest), self.face(t, shifts));
                 was.dot(is) < 0.3 * was.length() * is.length() || is.length() < 0.05 * was.length()
@@ -205,10 +209,13 @@ impl Half {
             if around.is_empty() {
                 return;
             }
-            let wider: Vec<u32> = around.iter().flat_map(|v| &self.rings[*v as usize]).copied().collect();
-            around.extend(wider);
-            around.sort_unstable();
-            around.dedup();
+            // What does not come right within some border needs a wider one.
+            for _ in 0..=round / WIDER {
+                let wider: Vec<u32> = around.iter().flat_map(|v| &self.rings[*v as usize]).copied().collect();
+                around.extend(wider);
+                around.sort_unstable();
+                around.dedup();
+            }
             let before = shifts.to_vec();
             for v in around {
                 shifts[v as usize] = 0.5 * before[v as usize] + 0.5 * self.mean(&before, v as usize);
@@ -216,10 +223,10 @@ impl Half {
         }
     }
 
-    /// Both sides' shifts, but for the smallest.
+    /// Both sides' shifts. All that unfolding left is written: leaving the smallest out would fold again.
     fn written(&self, shifts: &[DVec3]) -> MorphTarget {
         let mut target = MorphTarget::new();
-        for (&(v, twin), shift) in self.whole.iter().zip(shifts).filter(|(_, s)| s.length() >= LEAST) {
+        for (&(v, twin), shift) in self.whole.iter().zip(shifts).filter(|(_, s)| s.length() >= ARRIVED) {
             let [x, y, z] = shift.as_vec3().to_array();
             target.push((v, [x, y, z]));
             if twin != v {
