@@ -1,15 +1,19 @@
 //! One skinned figure in the scene that other programs are measured in, frame after frame, with what a frame costs:
-//! `peers [--msaa 1|4] [--shadows 0|1] [--ao 0|1] [--frames N]`.
+//! `peers [--msaa 1|4] [--shadows 0|1] [--ao 0|1] [--capsules 0|1] [--frames N]`.
 //!
+//! The figure is the mannequin, or a body of capsules with about as many vertices and triangles as a game's character.
 //! 1280x800, a lens of 35 degrees 3.9 m from (0, 0.9, 0), 35 degrees to the figure's left and 12 above; the left
 //! upper arm and the chest turn in every frame. A frame is: pose, draw, wait until the device is done.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 use std::time::Instant;
 
-use glam::Vec3;
+use glam::{DQuat, Vec3};
 use render::{FigureView, Gpu, Look, Msaa, Renderer, Scene};
 use rig::{Angles, Bone, Camera, Palette};
+
+#[path = "../../render/tests/body/mod.rs"]
+mod body;
 
 fn main() {
     let start = Instant::now();
@@ -20,10 +24,11 @@ fn main() {
     };
     let (msaa, shadow, ao) = (option("--msaa", 4), option("--shadows", 1) != 0, option("--ao", 0) != 0);
     let count = option("--frames", 20);
+    let capsules = (option("--capsules", 0) != 0).then(body::mesh);
     let gpu = Gpu::headless().unwrap();
     let mut renderer = Renderer::new(&gpu);
     let figure = interchange::figure::mannequin().unwrap();
-    let skin = figure.skin.as_ref().unwrap();
+    let skin = capsules.as_ref().unwrap_or(figure.skin.as_ref().unwrap());
     renderer.set_mesh(0, skin).unwrap();
     let look = Look {
         msaa: if msaa == 1 { Msaa::One } else { Msaa::Four },
@@ -45,7 +50,13 @@ fn main() {
         let (arm, spine) = (0.4 * (i as f64 * 0.2).sin(), 0.2 * (i as f64 * 0.13).sin());
         pose.angles[Bone::LeftUpperArm.index()] = Angles { abduction: arm.to_degrees(), ..Angles::default() };
         pose.angles[Bone::Chest.index()] = Angles { twist: spine.to_degrees(), ..Angles::default() };
-        let palette = Palette::new(&rig::frames(&figure, &pose), &rest);
+        let palette = match capsules {
+            Some(_) => body::posed(&[
+                (Bone::LeftUpperArm, DQuat::from_rotation_z(arm)),
+                (Bone::Chest, DQuat::from_rotation_y(spine)),
+            ]),
+            None => Palette::new(&rig::frames(&figure, &pose), &rest),
+        };
         let figures = [FigureView::new(&palette)];
         let scene = Scene { look, ..Scene::new(&figures, camera, [1280, 800]) };
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
