@@ -18,9 +18,9 @@ use rig::{
 };
 
 use crate::{Spot, glb, urdf};
+pub use based::{read_body, shipped_bodies, write_based};
 use file::{FigureFile, LimbName};
 use layers::Layers;
-pub use based::{read_body, shipped_bodies, write_based};
 pub use shipped::{LIBRARY, shipped, shipped_by_path, shipped_figures};
 
 /// A fault in a figure file or in a file that it names.

@@ -97,7 +97,8 @@ impl SceneUniform {
         let (lens, unproject) = lens(camera, tile.aspect(), f32::from(u8::from(!paper)));
         let background = if paper { [PAPER; 2] } else { [look.background_top, look.background_bottom] };
         SceneUniform {
-            clip_from_world: (tile.tile_from_whole() * camera.clip_from_world(tile.aspect())).to_cols_array_2d(),
+            clip_from_world: (tile.tile_from_whole() * camera.clip_from_world(tile.aspect()))
+                .to_cols_array_2d(),
             view_from_world: camera.view_from_world().to_cols_array_2d(),
             shadow_from_world: light.shadow_from_world.to_cols_array_2d(),
             shadow_from_view: (light.shadow_from_world * world_from_view).to_cols_array_2d(),

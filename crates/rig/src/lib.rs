@@ -21,8 +21,8 @@ mod limb_rig;
 mod lock;
 mod mechanics;
 mod mesh;
-mod palette;
 mod morph;
+mod palette;
 mod pose;
 mod pose_file;
 mod reach;
@@ -60,8 +60,8 @@ pub use limb_rig::LimbRigs;
 pub use lock::Locks;
 pub use mechanics::{MECHANICS_TOLERANCE_M, Mechanics, reach_with, turn_with};
 pub use mesh::Mesh;
-pub use palette::{PALETTE_LEN, Palette};
 pub use morph::{MorphTarget, MorphTargets, add_targets};
+pub use palette::{PALETTE_LEN, Palette};
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
 pub use pose_file::{
     POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_bones, write_parts,

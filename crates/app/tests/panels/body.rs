@@ -114,7 +114,7 @@ fn the_picture_shows_the_new_body() {
     click(&mut hand, "Body");
     let head = hand.state().editor().evaluation().frames[Bone::Head].position;
     let at = hand.state().viewport.window_of(head + glam::DVec3::Y * 0.12).unwrap();
-    let mut seen = |hand: &mut Hand| *hand.render().unwrap().get_pixel(at.x as u32, at.y as u32);
+    let seen = |hand: &mut Hand| *hand.render().unwrap().get_pixel(at.x as u32, at.y as u32);
     let skin = seen(&mut hand);
     set(&mut hand, "Body stature", 120.0);
     let air = seen(&mut hand);

@@ -14,7 +14,7 @@ pub fn write(mesh: &Mesh, skeleton: &Skeleton, name: &str) -> Vec<u8> {
     write_with_targets(mesh, &MorphTargets::new(), skeleton, name)
 }
 
-/// A skin as [`write`] does, with morph targets in the order of their names: sparse, of places alone. Vertices that
+/// A skin as [`write()`] does, with morph targets in the order of their names: sparse, of places alone. Vertices that
 /// the mesh lacks are left out.
 pub fn write_with_targets(mesh: &Mesh, targets: &MorphTargets, skeleton: &Skeleton, name: &str) -> Vec<u8> {
     let mut file = File { bones: skeleton.joints().map(|j| j.bone).collect(), ..File::default() };
