@@ -64,11 +64,11 @@ const fn elbow(file: &'static str) -> Tile {
 }
 
 const fn wrist(file: &'static str) -> Tile {
-    tile(file, "--size 800x800 --view left", [240, 45, 275, 320])
+    tile(file, "--size 800x800 --view left", [252, 40, 300, 320])
 }
 
 const fn contact(file: &'static str) -> Tile {
-    tile(file, "--size 400x400", [100, 25, 200, 350])
+    tile(file, "--size 400x400", [100, 12, 200, 376])
 }
 
 const fn guide(options: &'static str) -> Tile {
