@@ -139,7 +139,7 @@ fn the_second_view_shows_depth_poses_and_closes() {
     (camera_now.target, camera_now.distance) = (before.as_vec3(), 1.5);
     hand.run();
     let seen = hand.state().viewport.second_window_of(before).unwrap();
-    let around = (0..12).map(|i| seen + 8.0 * Vec2::angled(i as f32 * 0.5));
+    let around = (0..48).map(|i| seen + (4.0 + (i / 12) as f32 * 4.0) * Vec2::angled(i as f32 * 0.5));
     let lit = around.into_iter().find(|place| {
         hand.hover_at(*place);
         hand.step();
