@@ -182,8 +182,15 @@ impl Recording {
         for Touch { limb, of, on } in &self.contacts {
             let (a, b) = (frames[of.0].point(of.1), frames[on.0].point(on.1));
             let off = a.distance(b) * 1000.0;
-            assert!(off <= 5.0, "{name}: {} of {} is {off:.1} mm from {}", of.1, of.0, on.0);
             let contact = pose.limb(*limb).contact;
+            let at = frames[on.0].inverse().point(a);
+            assert!(
+                off <= 5.0,
+                "{name}: {} of {} is {off:.1} mm from {}, at {at:.4} there, {contact:?}",
+                of.1,
+                of.0,
+                on.0
+            );
             assert!(contact != rig::Contact::Free, "{name}: {} holds on to nothing", limb.name());
         }
     }
