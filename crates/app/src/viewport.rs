@@ -255,8 +255,10 @@ impl Viewport {
             self.pace = if slow { Pace::slow() } else { Pace::default() };
         }
         let now = ui.input(|i| i.time);
-        let quality = self.pace.quality(now, self.is_moving(ui, editor));
-        if let Some(secs) = self.pace.rests_in(now) {
+        let moving = self.is_moving(ui, editor);
+        let quality = self.pace.quality(now, moving);
+        // What is held and stands still needs no frames; its end brings one.
+        if let Some(secs) = self.pace.rests_in(now).filter(|_| !moving) {
             ui.ctx().request_repaint_after_secs(secs as f32 + 0.01);
         }
         self.drawn_in = quality;

@@ -92,3 +92,24 @@ fn a_software_adapter_draws_movement_lean_and_rest_in_full() {
     hand.run();
     assert_eq!(hand.render().unwrap(), still);
 }
+
+#[test]
+fn what_is_held_and_stands_still_asks_for_no_frames() {
+    let mut session = bent();
+    session.software = true;
+    let mut hand = drawn(session, true);
+    let empty = hand.state().viewport.rect().min + vec2(60.0, 60.0);
+    let asked_for_in = |hand: &Hand| hand.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
+    hand.hover_at(empty);
+    hand.step();
+    hand.drag_at(empty);
+    hand.step();
+    hand.hover_at(empty + vec2(30.0, 0.0));
+    for _ in 0..20 {
+        hand.step();
+    }
+    assert_eq!(asked_for_in(&hand), std::time::Duration::MAX);
+    hand.drop_at(empty + vec2(30.0, 0.0));
+    hand.step();
+    assert!(asked_for_in(&hand) < std::time::Duration::from_secs(1), "the picture in full follows");
+}
