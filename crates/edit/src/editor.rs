@@ -5,6 +5,7 @@ use std::sync::Arc;
 use rig::{Body, Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
+use crate::history::History;
 use crate::symmetry::twin_of;
 use crate::telling::words;
 use crate::{Clay, Command, Document, Files, Outcome, Rejected};
@@ -52,13 +53,6 @@ pub enum Request {
 /// The name of the steps that change the body.
 const BODY: &str = "Body";
 
-/// A step of history: the document before it, and its name.
-#[derive(Clone, Debug)]
-struct Step {
-    document: Document,
-    name: String,
-}
-
 /// The document, its history and the gesture under way.
 #[derive(Clone, Debug)]
 pub struct Editor {
@@ -69,9 +63,7 @@ pub struct Editor {
     former: Option<Arc<Figure>>,
     document: Document,
     evaluation: Evaluation,
-    past: Vec<Step>,
-    future: Vec<Step>,
-    gesture: Option<Step>,
+    history: History<Document>,
     revision: u64,
 }
 
@@ -86,9 +78,7 @@ impl Editor {
             former: None,
             document,
             evaluation,
-            past: Vec::new(),
-            future: Vec::new(),
-            gesture: None,
+            history: History::default(),
             revision: 0,
         }
     }
@@ -129,7 +119,7 @@ impl Editor {
     /// The document from which the gesture under way starts, or as it shows now: what a control that reads a value off
     /// the pose writes it onto.
     pub fn first(&self) -> &Document {
-        self.gesture.as_ref().map_or(&self.document, |step| &step.document)
+        self.history.gesture().map_or(&self.document, |step| &step.document)
     }
 
     /// What the pose comes to.
@@ -144,22 +134,22 @@ impl Editor {
 
     /// Whether a gesture is under way.
     pub fn in_gesture(&self) -> bool {
-        self.gesture.is_some()
+        self.history.gesture().is_some()
     }
 
     /// The name of the step that undo would take back.
     pub fn undo_name(&self) -> Option<&str> {
-        self.past.last().map(|step| step.name.as_str())
+        self.history.undo_name()
     }
 
     /// The name of the step that redo would do again.
     pub fn redo_name(&self) -> Option<&str> {
-        self.future.last().map(|step| step.name.as_str())
+        self.history.redo_name()
     }
 
     /// The number of steps that undo can take back.
     pub fn undo_depth(&self) -> usize {
-        self.past.len()
+        self.history.depth()
     }
 
     /// Does what is asked, or leaves the document bit for bit as it was.
@@ -202,15 +192,13 @@ impl Editor {
     fn preview(&mut self, commands: &[Command], files: &mut dyn Files) -> Result<Outcome, Rejected> {
         let Some(last) = commands.last() else {
             // Nothing is done to the gesture's first state.
-            if let Some(step) = &self.gesture {
-                self.show(step.document.clone());
+            if self.in_gesture() {
+                self.show(self.first().clone());
             }
             return Ok(Outcome::default());
         };
         let Applied { document, evaluation, outcome } = apply(&self.figure, self.first(), commands, files)?;
-        if self.gesture.is_none() {
-            self.gesture = Some(Step { document: self.document.clone(), name: last.name().to_owned() });
-        }
+        self.history.begin(&self.document, last.name());
         self.show_evaluated(document, evaluation);
         Ok(outcome)
     }
@@ -220,13 +208,13 @@ impl Editor {
         let Some(clay) = self.clay.clone() else {
             return Err(Rejected("it is not known what this figure's body is made of".to_owned()));
         };
-        if self.gesture.as_ref().is_some_and(|step| step.name != BODY) {
+        if self.history.gesture().is_some_and(|step| step.name != BODY) {
             self.commit();
         }
         let first = self.first().clone();
         let is = clay.made(&body)?;
-        if self.gesture.is_none() {
-            self.gesture = Some(Step { document: first.clone(), name: BODY.to_owned() });
+        if !self.in_gesture() {
+            self.history.begin(&first, BODY);
             self.former = Some(self.figure.clone());
         }
         let was = self.former.as_ref().unwrap_or(&self.figure);
@@ -272,61 +260,48 @@ impl Editor {
     }
 
     fn step_to(&mut self, applied: Applied, name: &str) -> Outcome {
-        self.commit();
-        self.push(Step { document: self.document.clone(), name: name.to_owned() });
+        self.history.step(&self.document, name);
         self.show_evaluated(applied.document, applied.evaluation);
         applied.outcome
     }
 
     fn commit(&mut self) -> Outcome {
-        if let Some(step) = self.gesture.take().filter(|step| step.document != self.document) {
-            self.push(step);
-        }
+        self.history.commit(&self.document);
         Outcome::default()
     }
 
     fn cancel(&mut self) -> Outcome {
-        match self.gesture.take() {
+        match self.history.cancel() {
             Some(step) => {
                 self.show(step.document);
-                Outcome { message: format!("{} cancelled", step.name), ..Outcome::default() }
+                told(format!("{} cancelled", step.name))
             }
             None => Outcome::default(),
         }
     }
 
     fn undo(&mut self) -> Outcome {
-        if self.gesture.is_some() {
+        if self.in_gesture() {
             return self.cancel();
         }
-        let Some(step) = self.past.pop() else {
-            return Outcome { message: "Nothing to undo".to_owned(), ..Outcome::default() };
+        let Some(step) = self.history.undo(&self.document) else {
+            return told("Nothing to undo".to_owned());
         };
-        let message = format!("Undid: {}", step.name);
-        self.future.push(Step { document: self.document.clone(), name: step.name });
         self.show(step.document);
-        Outcome { message, ..Outcome::default() }
+        told(format!("Undid: {}", step.name))
     }
 
     fn redo(&mut self) -> Outcome {
-        self.commit();
-        let Some(step) = self.future.pop() else {
-            return Outcome { message: "Nothing to redo".to_owned(), ..Outcome::default() };
+        let Some(step) = self.history.redo(&self.document) else {
+            return told("Nothing to redo".to_owned());
         };
-        let message = format!("Redid: {}", step.name);
-        self.past.push(Step { document: self.document.clone(), name: step.name });
         self.show(step.document);
-        Outcome { message, ..Outcome::default() }
+        told(format!("Redid: {}", step.name))
     }
 
     fn open(&mut self, pose: Pose) -> Outcome {
         self.step(Document { pose, ..self.document.clone() }, "Open");
-        Outcome { message: "Opened".to_owned(), ..Outcome::default() }
-    }
-
-    fn push(&mut self, step: Step) {
-        self.past.push(step);
-        self.future.clear();
+        told("Opened".to_owned())
     }
 
     fn show(&mut self, document: Document) {

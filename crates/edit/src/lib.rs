@@ -17,6 +17,7 @@ mod grab;
 mod hands;
 mod hands_telling;
 mod held;
+mod history;
 mod knob;
 mod marked_joints;
 mod navigate;
