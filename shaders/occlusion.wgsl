@@ -91,12 +91,6 @@ const SPREAD: f32 = 0.06;
 const TALLEST_M: f32 = 0.7;
 const SEARCH: i32 = 10;
 const FILTER: i32 = 16;
-// Cosine and sine of the golden angle: a spiral with that step covers a disc evenly.
-const STEP: vec2<f32> = vec2<f32>(-0.73736888, 0.67549029);
-
-fn turned(v: vec2<f32>) -> vec2<f32> {
-    return vec2(v.x * STEP.x - v.y * STEP.y, v.x * STEP.y + v.y * STEP.x);
-}
 
 // How much nearer to the light than the receiver's own plane the map has something, metres; `off` is in the map.
 fn above(at: vec3<f32>, slope: vec2<f32>, off: vec2<f32>) -> f32 {

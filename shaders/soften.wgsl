@@ -21,12 +21,6 @@ const SPREAD: f32 = 0.055;
 const TALLEST_M: f32 = 1.6;
 const SEARCH: i32 = 12;
 const FILTER: i32 = 20;
-// Cosine and sine of the golden angle: a spiral with that step covers a disc evenly.
-const STEP: vec2<f32> = vec2<f32>(-0.73736888, 0.67549029);
-
-fn turned(v: vec2<f32>) -> vec2<f32> {
-    return vec2(v.x * STEP.x - v.y * STEP.y, v.x * STEP.y + v.y * STEP.x);
-}
 
 fn depth_at(at: vec2<f32>) -> f32 {
     let last = 1.0 / scene.ranges.w - 1.0;

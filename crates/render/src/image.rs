@@ -1,5 +1,6 @@
 //! Pictures read back from the device.
 
+use crate::flat::flat;
 use crate::{DrawError, Gpu};
 
 /// A picture in memory.
@@ -22,6 +23,12 @@ impl Image {
         let at = 4 * (y as usize * self.width as usize + x as usize);
         self.rgba.get(at..at + 4).and_then(|p| p.try_into().ok())
     }
+}
+
+/// A texture to draw into and then [`read`]; each edge at least 1 pixel and no more than the device holds.
+pub fn canvas(gpu: &Gpu, label: &str, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::Texture {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    flat(&gpu.device, label, size, 1, format, usage)
 }
 
 /// Copies a texture of four-byte texels into memory, after the encoder's commands.

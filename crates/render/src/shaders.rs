@@ -14,8 +14,11 @@ pub(crate) const SHADOW: &str = concat!(
     include_str!("../../../shaders/shadow.wgsl")
 );
 /// The shadow on the ground, softened.
-pub(crate) const SOFTEN: &str =
-    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/soften.wgsl"));
+pub(crate) const SOFTEN: &str = concat!(
+    include_str!("../../../shaders/scene.wgsl"),
+    include_str!("../../../shaders/spiral.wgsl"),
+    include_str!("../../../shaders/soften.wgsl")
+);
 /// The gradient behind everything.
 pub(crate) const BACKDROP: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/backdrop.wgsl"));
@@ -29,8 +32,11 @@ pub(crate) const GROUND: &str = concat!(
     include_str!("../../../shaders/ground.wgsl")
 );
 /// How open and how lit places are.
-pub(crate) const OCCLUSION: &str =
-    concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/occlusion.wgsl"));
+pub(crate) const OCCLUSION: &str = concat!(
+    include_str!("../../../shaders/scene.wgsl"),
+    include_str!("../../../shaders/spiral.wgsl"),
+    include_str!("../../../shaders/occlusion.wgsl")
+);
 /// The same, smooth.
 pub(crate) const SMOOTH: &str =
     concat!(include_str!("../../../shaders/scene.wgsl"), include_str!("../../../shaders/smooth.wgsl"));

@@ -1,5 +1,6 @@
 //! The key light's depth map, and the soft shadow on the ground made from it.
 
+use crate::flat::read_later;
 use crate::layouts::Layouts;
 use crate::light::SHADOW_SIZE;
 use crate::target::DEPTH_FORMAT;
@@ -26,8 +27,8 @@ pub(crate) struct ShadowMaps {
 
 impl ShadowMaps {
     pub fn new(device: &wgpu::Device, layouts: &Layouts) -> ShadowMaps {
-        let depth = map(device, "shadow map", SHADOW_SIZE, DEPTH_FORMAT);
-        let soft = map(device, "soft shadow", SOFT_SIZE, SOFT_FORMAT);
+        let depth = read_later(device, "shadow map", [SHADOW_SIZE; 2], DEPTH_FORMAT);
+        let soft = read_later(device, "soft shadow", [SOFT_SIZE; 2], SOFT_FORMAT);
         let compare = Some(wgpu::CompareFunction::LessEqual);
         ShadowMaps {
             depth_group: group(device, &layouts.shadow, &depth, compare),
@@ -40,22 +41,8 @@ impl ShadowMaps {
     }
 }
 
-fn map(device: &wgpu::Device, label: &str, size: u32, format: wgpu::TextureFormat) -> wgpu::TextureView {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
-}
-
 fn nothing(device: &wgpu::Device, layouts: &Layouts) -> wgpu::BindGroup {
-    let view = map(device, "nothing", 1, SOFT_FORMAT);
+    let view = read_later(device, "nothing", [1, 1], SOFT_FORMAT);
     device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("nothing"),
         layout: &layouts.found,

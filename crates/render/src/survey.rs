@@ -1,6 +1,7 @@
 //! A survey of the whole picture before it is drawn: what is seen where, and from that how open and how lit it is, or where
 //! a drawing has its lines.
 
+use crate::flat::read_later;
 use crate::layouts::Layouts;
 use crate::scene::{Pass, Scene, Style};
 use crate::target::{DEPTH_FORMAT, PICTURE_FORMAT};
@@ -66,19 +67,7 @@ impl Survey {
         search: Search,
         size: [u32; 2],
     ) -> Survey {
-        let texture = |label, format, size: [u32; 2]| {
-            let texture = device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-                view_formats: &[],
-            });
-            texture.create_view(&wgpu::TextureViewDescriptor::default())
-        };
+        let texture = |label, format, size| read_later(device, label, size, format);
         // Lines are found at once.
         let rough_size = if search == Search::Lines { [1, 1] } else { size };
         let depth = texture("survey depth", DEPTH_FORMAT, size);

@@ -1,5 +1,6 @@
 //! The picture's textures.
 
+use crate::flat::flat;
 use crate::scene::{Msaa, Pass};
 
 /// Format of depth buffers and of the shadow map.
@@ -36,18 +37,7 @@ pub(crate) struct Target {
 
 impl Target {
     pub fn new(device: &wgpu::Device, key: TargetKey) -> Target {
-        let texture = |label, samples, format, usage| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: key.size[0], height: key.size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: samples,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage,
-                view_formats: &[],
-            })
-        };
+        let texture = |label, samples, format, usage| flat(device, label, key.size, samples, format, usage);
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
         let samples = key.msaa.samples();

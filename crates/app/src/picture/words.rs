@@ -19,16 +19,7 @@ impl Writer {
     /// Makes ready; each edge at least 1 pixel and no more than the device holds.
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Writer {
         let format = wgpu::TextureFormat::Rgba8Unorm;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("words"),
-            size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let texture = render::canvas(gpu, "words", size, format);
         Writer { ctx: Context::default(), painter: Painter::plain(gpu, format), texture, size, frames: 0 }
     }
 

@@ -57,16 +57,7 @@ fn drawn(session: &mut Session, size: [u32; 2], showing: &Showing) -> Result<Ima
     let format = wgpu::TextureFormat::Rgba8Unorm;
     let mut painter =
         Painter::new(&gpu, format, session.editor().figure()).map_err(|e| Failure::Input(e.to_string()))?;
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("window"),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let texture = render::canvas(&gpu, "window", size, format);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let ctx = Context::default();
     theme::apply(&ctx);
