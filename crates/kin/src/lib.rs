@@ -1,4 +1,4 @@
-//! Kinematics of limbs, spine and collar: closed forms in `f64`, no files, clocks or randomness.
+//! Kinematics of limbs, spine, collar and chains: closed forms in `f64`, no files, clocks or randomness.
 //!
 //! Column vectors, right-handed frames, metres, radians. The mathematics and its sources are in
 //! `docs/conventions.md` and `docs/sources.md`.
@@ -8,6 +8,7 @@ mod axis_angle;
 mod ball;
 mod bounded_step;
 mod carrier;
+pub mod chain;
 mod collar;
 mod elevation;
 mod eye;
