@@ -93,7 +93,8 @@ impl Drive {
         }
         let rate = law.left.ln();
         let until_stopped = (least / first.abs()).ln() / rate;
-        let last = if until_stopped <= frames { least.copysign(first) } else { first * (rate * frames).exp() };
+        let last =
+            if until_stopped <= frames { least.copysign(first) } else { first * (rate * frames).exp() };
         self.speed = if until_stopped <= frames { 0.0 } else { last };
         (last - first) / rate
     }

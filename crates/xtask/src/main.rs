@@ -1,6 +1,7 @@
 //! The project's chores, run as `cargo xtask …`: opening the window, checking everything, sculpting the figure.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
+mod chains;
 mod check;
 mod display;
 mod launch;
@@ -21,6 +22,7 @@ Usage: cargo xtask <COMMAND>
   lint                   formatting, lints and documentation
   sculpt [--preview DIR [--only PART]]
                          make the shipped figure anew, or only draw it or a part of it
+  chains                 make the meshes of the shipped chains anew
   pictures [NAME…]       make the pictures of the README and the guide anew; `pictures sheet` the contact sheet alone
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         ("run", args) => launch::run(args),
         ("test", []) => check::test(),
         ("lint", []) => check::lint(),
+        ("chains", []) => chains::run(),
         ("sculpt", args) => sculpt::run(args),
         ("pictures", names) => pictures::run(names),
         ("help" | "--help" | "-h", _) => {
