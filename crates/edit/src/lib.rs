@@ -1,6 +1,7 @@
 //! The one door to change: commands, document, history, gestures, scripts.
 
 mod apply;
+mod chain;
 mod circle;
 mod clay;
 mod clear;
@@ -37,6 +38,11 @@ mod symmetry;
 mod telling;
 mod typed;
 
+pub use chain::{
+    ChainCommand, ChainDocument, ChainEditor, ChainGoal, ChainJointReport, ChainLinkReport, ChainOutcome,
+    ChainPart, ChainReach, ChainReport, ChainRequest, ChainRoot, ChainScript, ChainSolver, ReachReport,
+    chain_of_script, parse_chain_script, run_chain_script,
+};
 pub use circle::{Circle, NearCircle};
 pub use clay::Clay;
 pub use clear::{clear_place, to_rest};

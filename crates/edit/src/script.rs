@@ -59,7 +59,7 @@ pub fn run_script(
 }
 
 /// Where each command begins: the starts of the items of the `commands` list, comments and strings passed over.
-fn places(text: &str, count: usize) -> Vec<(usize, usize)> {
+pub(crate) fn places(text: &str, count: usize) -> Vec<(usize, usize)> {
     let mut found = Vec::with_capacity(count);
     let (mut line, mut column, mut depth) = (1, 0, 0i32);
     let mut fresh = false;

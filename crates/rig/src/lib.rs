@@ -27,6 +27,7 @@ mod pose;
 mod pose_file;
 mod reach;
 mod reach_limits;
+mod robot;
 mod size;
 mod skeleton;
 mod skin;
@@ -68,6 +69,10 @@ pub use pose_file::{
     write_pose,
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
+pub use robot::{
+    ChangeError, NewLink, RobotGoal, RobotReach, RobotSkin, DofPart, Inertial, JointLimit, Mimic, Paint, Robot, RobotChain, RobotDof, RobotError, RobotJoint, RobotJointKind, RobotLink,
+    RobotPose, STAND_IN, STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
+};
 pub use size::Size;
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{skin_normals, skin_position, skin_positions};

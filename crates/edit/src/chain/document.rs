@@ -1,0 +1,71 @@
+//! What is edited of a chain, and what is told of a change.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use rig::{Frame, Robot, RobotPose};
+
+use super::command::ChainSolver;
+
+/// What is edited: the chain itself, the values of its joints, and where it stands.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ChainDocument {
+    /// Links, joints, ranges, looks.
+    pub robot: Arc<Robot>,
+    /// The joints' values.
+    pub pose: RobotPose,
+    /// Where its root link is.
+    pub world_from_root: Frame,
+    /// Whether joints stop at their ranges.
+    pub ranges: bool,
+}
+
+impl ChainDocument {
+    /// A chain in a pose, its z standing up at the world's origin, ranges on.
+    pub fn of(robot: Arc<Robot>, pose: &RobotPose) -> ChainDocument {
+        let pose = robot.followed(pose);
+        ChainDocument { robot, pose, world_from_root: Robot::WORLD_FROM_ROOT, ranges: true }
+    }
+
+    /// Where each link is in the world.
+    pub fn frames(&self) -> Vec<Frame> {
+        let frames = self.robot.frames(&self.pose);
+        frames.into_iter().map(|root_from_link| self.world_from_root.then(root_from_link)).collect()
+    }
+
+    /// Where a link ends in the world; its origin for a link that isn't there.
+    pub fn end_in_world(&self, link: usize) -> DVec3 {
+        let frame = self.frames().get(link).copied().unwrap_or(self.world_from_root);
+        frame.point(self.robot.tip(link))
+    }
+}
+
+/// How an inverse gesture went.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ChainReach {
+    /// The link, by name.
+    pub link: String,
+    /// Where its point was to go, world, metres.
+    pub target: DVec3,
+    /// With which solver.
+    pub solver: ChainSolver,
+    /// Whether it is within a ten-thousandth of the chain's length.
+    pub reached: bool,
+    /// How far off the point is, metres.
+    pub residual_m: f64,
+    /// How far the link is turned from the rotation asked for, degrees; 0 if none was.
+    pub residual_deg: f64,
+    /// Sweeps and steps taken.
+    pub iterations: usize,
+}
+
+/// What came of a request.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct ChainOutcome {
+    /// One sentence for the status line; empty if there is nothing to say.
+    pub message: String,
+    /// Whether a range stopped something short, or a point did not get to its target.
+    pub clamped: bool,
+    /// How a reach went.
+    pub reach: Option<ChainReach>,
+}

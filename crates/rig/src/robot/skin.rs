@@ -1,0 +1,119 @@
+//! A robot as skins: links are drawn as rigid parts of meshes that a renderer of figures draws as well.
+
+use glam::Vec3;
+use kin::Frame;
+
+use super::Robot;
+use crate::dual_quaternion::DualQuaternion;
+use crate::{Bone, Bounds, Mesh, Palette};
+
+/// Links in one mesh: each takes a place of its palette that is a bone's.
+const LINKS: usize = Bone::COUNT;
+
+/// The looks of a robot, as many links a mesh as there are bones: link `i` is moved by place `i % 55` of mesh `i / 55`.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct RobotSkin {
+    /// The meshes, at least one.
+    pub meshes: Vec<Mesh>,
+    /// What is seen of each link, in its own frame; empty for links of which nothing is.
+    bounds: Vec<Bounds>,
+}
+
+impl RobotSkin {
+    /// The looks of a robot.
+    pub fn of(robot: &Robot) -> RobotSkin {
+        let mut skin = RobotSkin::default();
+        for (i, link) in robot.links().iter().enumerate() {
+            if i % LINKS == 0 {
+                skin.meshes.push(Mesh::default());
+            }
+            let mesh = &mut skin.meshes[i / LINKS];
+            let first = mesh.positions.len();
+            for visual in &link.visuals {
+                add(mesh, &visual.solid(), visual.link_from_visual, (i % LINKS) as u8);
+            }
+            skin.bounds.push(Bounds::of(mesh.positions[first..].iter().map(|p| Vec3::from_array(*p))));
+        }
+        skin
+    }
+
+    /// The mesh and the place of its palette that show a link; as a bone, which is how parts of a figure are marked.
+    pub fn place_of(link: usize) -> (usize, Bone) {
+        (link / LINKS, Bone::ALL[link % LINKS])
+    }
+
+    /// The palette of each mesh for links at those frames.
+    pub fn palettes(&self, world_from_link: &[Frame]) -> Vec<Palette> {
+        let mut palettes = vec![Palette::REST; self.meshes.len()];
+        for (i, frame) in world_from_link.iter().enumerate() {
+            if let Some(palette) = palettes.get_mut(i / LINKS) {
+                palette.0[i % LINKS] = DualQuaternion::rigid(frame.rotation, frame.position).to_rows();
+            }
+        }
+        palettes
+    }
+
+    /// A box around the robot with its links at those frames: what is seen of them, and every link's origin.
+    pub fn bounds(&self, world_from_link: &[Frame]) -> Bounds {
+        let links = self.bounds.iter().zip(world_from_link);
+        links.fold(Bounds::EMPTY, |all, (own, frame)| {
+            let place = |p: Vec3| frame.point(p.as_dvec3()).as_vec3();
+            let corners = if own.is_empty() { Vec::new() } else { own.corners().map(place).to_vec() };
+            corners.into_iter().fold(all.with(frame.position.as_vec3()), Bounds::with)
+        })
+    }
+}
+
+fn add(mesh: &mut Mesh, solid: &super::Solid, link_from_visual: Frame, place: u8) {
+    let first = mesh.positions.len() as u32;
+    for ((position, normal), color) in solid.positions.iter().zip(&solid.normals).zip(&solid.colors) {
+        let at = link_from_visual.point(Vec3::from_array(*position).as_dvec3());
+        let out = link_from_visual.rotation * Vec3::from_array(*normal).as_dvec3();
+        mesh.positions.push(at.as_vec3().to_array());
+        mesh.normals.push(out.as_vec3().to_array());
+        mesh.colors.push(*color);
+        mesh.joints.push([place, 0, 0, 0]);
+        mesh.weights.push([u16::MAX, 0, 0, 0]);
+    }
+    mesh.indices.extend(solid.indices.iter().map(|i| first + i));
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DQuat, DVec3};
+    use kin::Interval;
+
+    use super::*;
+    use crate::{NewLink, RobotLink, RobotPose, skin_positions};
+
+    #[test]
+    fn every_link_is_drawn_where_it_is_whatever_their_number() {
+        let root = RobotLink { name: "root".to_owned(), tip: Some(DVec3::X), ..RobotLink::default() };
+        let mut robot = Robot::new("line", vec![root], Vec::new()).unwrap();
+        for i in 1..=120 {
+            let name = format!("link{i}");
+            let range = Interval::new(-1.0, 1.0);
+            robot = robot.appended(i - 1, NewLink { name, length: 1.0, range, axis: DVec3::Z }).unwrap();
+        }
+        let pose = RobotPose((0..120).map(|i| 0.02 * f64::from(i % 7)).collect());
+        let stand = Frame::new(DQuat::from_rotation_y(0.4), DVec3::new(0.3, 1.0, -2.0));
+        let frames: Vec<Frame> = robot.frames(&pose).into_iter().map(|f| stand.then(f)).collect();
+        let skin = RobotSkin::of(&robot);
+        assert_eq!(skin.meshes.len(), 3);
+        let palettes = skin.palettes(&frames);
+        let around = skin.bounds(&frames);
+        for link in 1..=120 {
+            let (mesh, bone) = RobotSkin::place_of(link);
+            assert_eq!(skin.meshes[mesh].fault(), None);
+            let posed = skin_positions(&skin.meshes[mesh], &palettes[mesh]);
+            let own: Vec<Vec3> = (0..posed.len())
+                .filter(|&v| usize::from(skin.meshes[mesh].joints[v][0]) == bone.index())
+                .map(|v| posed[v])
+                .collect();
+            let middle = own.iter().sum::<Vec3>() / own.len() as f32;
+            let expected = frames[link].point(DVec3::X * 0.5).as_vec3();
+            assert!(middle.distance(expected) < 1e-3, "link {link}: {middle} instead of {expected}");
+            assert!(own.iter().all(|p| Bounds::of([*p]).union(around).radius() <= around.radius() + 1e-4));
+        }
+    }
+}
