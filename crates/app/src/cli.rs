@@ -1,6 +1,7 @@
 //! The command line: what is asked, done headless or in a window.
 
 mod pictures;
+mod robots;
 mod sheet;
 
 use std::path::{Path, PathBuf};
@@ -59,13 +60,16 @@ enum Task {
     Render(Box<RenderArguments>),
     /// Draws many poses, looks or figures side by side, with their names; needs no display.
     Sheet(SheetArguments),
-    /// Tells what a pose comes to.
+    /// Tells what a pose comes to, or where the links of a robot are.
     Inspect {
-        /// The pose, script or figure file.
+        /// The pose, script, figure or URDF file.
         file: PathBuf,
-        /// One record as JSON, as in the reports of `run`.
+        /// One record as JSON, as in the reports of `run`; of a robot its links and joints.
         #[arg(long)]
         json: bool,
+        /// Values of a robot's joints in radians and metres, a JSON object by joint; others are 0.
+        #[arg(long, value_name = "JSON")]
+        joints: Option<String>,
         /// Another figure, *.figure.ron.
         #[arg(long)]
         figure: Option<PathBuf>,
@@ -124,7 +128,9 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
         }
         Some(Task::Render(told)) => pictures::render(&told).map_err(one),
         Some(Task::Sheet(told)) => sheet::sheet(&told).map_err(one),
-        Some(Task::Inspect { file, json, figure }) => inspect(&file, json, figure.as_deref()).map_err(one),
+        Some(Task::Inspect { file, json, joints, figure }) => {
+            inspect(&file, json, joints.as_deref(), figure.as_deref()).map_err(one)
+        }
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
     }
 }
@@ -148,6 +154,9 @@ fn run(
     save: Option<&Path>,
     report: Option<&Path>,
 ) -> Result<(), Failure> {
+    if load::shows_chain(path)? {
+        return run_on_chain(path, on, save, report);
+    }
     let figure = load::figure(figure)?;
     let script = parse_script(&read_text(path)?).map_err(|fault| load::at(path, &fault))?;
     let mut editor = Editor::new(figure.clone());
@@ -159,6 +168,23 @@ fn run(
         run_script(&mut editor, &script, &mut Disk::beside(path)).map_err(|fault| load::at(path, &fault))?;
     if let Some(save) = save {
         write_atomic(save, rig::write_pose(&figure, editor.pose()).as_bytes())?;
+    }
+    match report {
+        Some(to) => write_json(&reports, to),
+        None => Ok(()),
+    }
+}
+
+/// Runs a script on the chain that it names, or on another.
+fn run_on_chain(
+    path: &Path,
+    on: Option<&Path>,
+    save: Option<&Path>,
+    report: Option<&Path>,
+) -> Result<(), Failure> {
+    let (editor, reports) = load::chain_script(path, on)?;
+    if let Some(save) = save {
+        robots::save(editor.document(), save)?;
     }
     match report {
         Some(to) => write_json(&reports, to),
@@ -182,7 +208,19 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-fn inspect(file: &Path, json: bool, figure: Option<&Path>) -> Result<(), Failure> {
+fn inspect(
+    file: &Path,
+    json: bool,
+    joints: Option<&str>,
+    figure: Option<&Path>,
+) -> Result<(), Failure> {
+    match (Kind::of(file)?, joints) {
+        (Kind::Urdf, _) => return robots::inspect(file, json, joints),
+        (_, Some(_)) => {
+            return Err(Failure::Usage("--joints: these are the joints of a robot, *.urdf".to_owned()));
+        }
+        _ => {}
+    }
     let editor = load::editor(&load::figure(figure)?, file)?;
     let report = Report::of(&editor, "inspect", None);
     if json {
@@ -230,9 +268,7 @@ fn check(files: &[PathBuf], figure: Option<&Path>) -> Result<(), Vec<Failure>> {
                 load::editor(&figure, path).map(|_| ())
             }
             Kind::Figure => load::figure(Some(path)).map(|_| ()),
-            Kind::Urdf => interchange::urdf::read(&read_text(path)?, &std::collections::BTreeMap::new())
-                .map(|_| ())
-                .map_err(|e| Failure::Input(format!("{}:{e}", path.display()))),
+            Kind::Urdf => robots::check(path),
             Kind::Glb => interchange::glb::read(&read_bytes(path, MODEL_LIMIT)?, &figure.skeleton)
                 .map(|_| ())
                 .map_err(|e| Failure::Input(format!("{}:1:1: {e}", path.display()))),

@@ -1,5 +1,8 @@
 //! Files into values: figures, poses and scripts by extension.
 
+mod chain;
+mod robot;
+
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,6 +12,8 @@ use rig::{Figure, Pose, PosePatch};
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::shipped;
+pub use chain::{chain_editor, script as chain_script, shows_chain};
+pub use robot::robot;
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -2,6 +2,7 @@
 
 pub mod figure;
 pub mod glb;
+pub mod solid;
 mod spot;
 pub mod urdf;
 

@@ -70,7 +70,7 @@ pub use pose_file::{
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use robot::{
-    ChangeError, NewLink, RobotGoal, RobotReach, RobotSkin, DofPart, Inertial, JointLimit, Mimic, Paint, Robot, RobotChain, RobotDof, RobotError, RobotJoint, RobotJointKind, RobotLink,
+    DofPart, Inertial, JointLimit, Mimic, Paint, Robot, RobotChain, RobotDof, RobotError, RobotJoint, RobotJointKind, RobotLink,
     RobotPose, STAND_IN, STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
 };
 pub use size::Size;

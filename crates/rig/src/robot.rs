@@ -1,14 +1,11 @@
 //! A robot: links on a tree of joints, as in URDF, with their looks; how it stands at given joint values.
 
-mod change;
 mod fault;
 mod joint;
 mod look;
 mod nodes;
 mod order;
 mod pose;
-mod reach;
-mod skin;
 mod solid;
 
 use std::collections::BTreeMap;
@@ -16,16 +13,11 @@ use std::collections::BTreeMap;
 use glam::{DQuat, DVec3};
 use kin::Frame;
 
-pub use change::{ChangeError, NewLink};
 pub use fault::RobotError;
-pub use joint::{
-    DofPart, JointLimit, Mimic, RobotJoint, RobotJointKind, rotation_of_rpy, rpy_of_rotation,
-};
+pub use joint::{DofPart, JointLimit, Mimic, RobotJoint, RobotJointKind, rotation_of_rpy, rpy_of_rotation};
 pub use look::{Inertial, Paint, RobotLink, Shape, Visual};
 pub use nodes::RobotChain;
 pub use pose::{RobotDof, RobotPose};
-pub use reach::{RobotGoal, RobotReach};
-pub use skin::RobotSkin;
 pub use solid::{STAND_IN, STAND_IN_EDGE_M, Solid, UNPAINTED};
 
 /// Links on a tree of joints.
@@ -148,7 +140,8 @@ impl Robot {
                 let found = known.entry(file.clone()).or_insert_with(|| match fetch(file) {
                     Ok(found) => Some(found),
                     Err(why) => {
-                        missing.push(format!("link \"{}\": mesh \"{file}\": {why}; a box stands in", link.name));
+                        missing
+                            .push(format!("link \"{}\": mesh \"{file}\": {why}; a box stands in", link.name));
                         None
                     }
                 });

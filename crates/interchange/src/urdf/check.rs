@@ -14,6 +14,7 @@ enum Kind {
     Four,
 }
 
+const SHAPES: [&str; 5] = ["box", "cylinder", "capsule", "sphere", "mesh"];
 const TYPES: [&str; 7] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar", "spherical"];
 
 /// Checks names, numbers and the parts that no joint or link may lack.
@@ -25,6 +26,9 @@ pub fn check(text: &str, outline: &[Element<'_>]) -> Result<(), UrdfError> {
     }
     let mut names = BTreeSet::new();
     for (i, element) in outline.iter().enumerate() {
+        if !read(outline, i) {
+            continue;
+        }
         for attribute in &element.attributes {
             number(outline, i, attribute).map_err(|fault| fault.at(spot(attribute.at)))?;
         }
@@ -40,6 +44,32 @@ pub fn check(text: &str, outline: &[Element<'_>]) -> Result<(), UrdfError> {
         }
     }
     Ok(())
+}
+
+/// Whether an element is one that is read: simulators and planners add elements of their own, some by the same names.
+fn read(outline: &[Element<'_>], i: usize) -> bool {
+    let Some(parent) = outline[i].parent else { return true };
+    let known: &[&str] = match outline[parent].name {
+        "robot" => &["link", "joint", "material"],
+        "link" => &["inertial", "visual", "collision"],
+        "inertial" => &["origin", "mass", "inertia"],
+        "visual" | "collision" => &["origin", "geometry", "material"],
+        "geometry" => &SHAPES,
+        "material" => &["color", "texture"],
+        "joint" => &[
+            "origin",
+            "parent",
+            "child",
+            "axis",
+            "limit",
+            "mimic",
+            "dynamics",
+            "calibration",
+            "safety_controller",
+        ],
+        _ => &[],
+    };
+    known.contains(&outline[i].name) && read(outline, parent)
 }
 
 /// How a message calls an element: with the joint or link that it is in.
@@ -64,7 +94,15 @@ fn kind(element: &str, attribute: &str) -> Option<Kind> {
         ("origin", "quat_xyzw") | ("color", "rgba") => Some(Kind::Four),
         ("mass", "value")
         | ("inertia", "ixx" | "ixy" | "ixz" | "iyy" | "iyz" | "izz")
-        | ("limit", "lower" | "upper" | "effort" | "velocity") => Some(Kind::One),
+        | ("limit", "lower" | "upper" | "effort" | "velocity")
+        | ("mimic", "multiplier" | "offset")
+        | ("cylinder" | "capsule", "radius" | "length")
+        | ("sphere", "radius")
+        | ("dynamics", "damping" | "friction")
+        | ("calibration", "rising" | "falling")
+        | ("safety_controller", "soft_lower_limit" | "soft_upper_limit" | "k_position" | "k_velocity") => {
+            Some(Kind::One)
+        }
         _ => None,
     }
 }
@@ -100,11 +138,32 @@ fn required(outline: &[Element<'_>], i: usize) -> Result<(), UrdfFault> {
         ("joint", Some(0)) => &["name", "type"],
         ("parent" | "child", _) => &["link"],
         ("mass", _) => &["value"],
+        ("inertia", _) => &["ixx", "ixy", "ixz", "iyy", "iyz", "izz"],
         ("axis", _) => &["xyz"],
+        ("limit", _) => &["velocity"],
+        ("safety_controller", _) => &["k_velocity"],
+        ("mimic", _) => &["joint"],
+        ("box", _) => &["size"],
+        ("cylinder" | "capsule", _) => &["radius", "length"],
+        ("sphere", _) => &["radius"],
+        ("mesh" | "texture", _) => &["filename"],
+        ("material", _) => &["name"],
+        ("color", _) => &["rgba"],
         _ => &[],
     };
     if let Some(name) = attributes.iter().find(|name| element.attribute(name).is_none()) {
         return Err(missing(&format!("attribute {name}")));
+    }
+    let children: &[&str] = match element.name {
+        "inertial" => &["mass", "inertia"],
+        "visual" | "collision" => &["geometry"],
+        _ => &[],
+    };
+    if let Some(tag) = children.iter().find(|tag| !child(tag)) {
+        return Err(missing(&format!("<{tag}>")));
+    }
+    if element.name == "geometry" && !SHAPES.iter().any(|tag| child(tag)) {
+        return Err(missing(&format!("shape, expected one of <{}>", SHAPES.join(">, <"))));
     }
     if element.name != "joint" || element.parent != Some(0) {
         return Ok(());
@@ -115,11 +174,14 @@ fn required(outline: &[Element<'_>], i: usize) -> Result<(), UrdfFault> {
             element: described(outline, i),
             attribute: "type".to_owned(),
             found: found.chars().take(60).collect(),
-            expected: "revolute, continuous, fixed or floating",
+            expected: "revolute, continuous, prismatic, fixed, floating or planar",
         });
     }
-    let limit: &[&str] =
-        if found == "revolute" { &["parent", "child", "limit"] } else { &["parent", "child"] };
+    let limit: &[&str] = if matches!(found, "revolute" | "prismatic") {
+        &["parent", "child", "limit"]
+    } else {
+        &["parent", "child"]
+    };
     match limit.iter().find(|tag| !child(tag)) {
         Some(tag) => Err(missing(&format!("<{tag}>"))),
         None => Ok(()),

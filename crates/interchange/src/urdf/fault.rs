@@ -1,6 +1,6 @@
 //! What can be wrong with a URDF file.
 
-use rig::{Bone, Dof, SkeletonError};
+use rig::{Bone, Dof, RobotError, SkeletonError};
 
 use crate::Spot;
 
@@ -74,6 +74,8 @@ pub enum UrdfFault {
     Skew { joint: String, bone: Bone },
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),
+    #[error(transparent)]
+    Robot(#[from] RobotError),
 }
 
 fn expected_type(bone: Bone) -> &'static str {
@@ -103,6 +105,7 @@ impl UrdfFault {
             | F::Skew { joint, .. } => Some(("joint", joint)),
             F::TwoRoles { link, .. } | F::Adrift { link, .. } => Some(("link", link)),
             F::Order { bone, .. } => Some(("link", bone.name())),
+            F::Robot(fault) => fault.subject(),
             F::Syntax(_)
             | F::TooLarge(_)
             | F::TooMany(_)
@@ -111,6 +114,23 @@ impl UrdfFault {
             | F::Twice { .. }
             | F::NoLink { .. }
             | F::Skeleton(_) => None,
+        }
+    }
+
+    /// The part of that element which the fault is about.
+    pub(crate) fn part(&self) -> Option<&'static str> {
+        use UrdfFault as F;
+        match self {
+            F::Axis { .. } | F::Robot(RobotError::Axis { .. }) => Some("axis"),
+            F::Limit { .. } | F::Robot(RobotError::Limit { .. }) => Some("limit"),
+            F::UnknownLink { end, .. } | F::Robot(RobotError::UnknownLink { end, .. }) => Some(end),
+            F::TwoParents { .. } | F::Robot(RobotError::TwoParents { .. }) => Some("child"),
+            F::Robot(
+                RobotError::UnknownMaster { .. }
+                | RobotError::MimicLoop { .. }
+                | RobotError::MimicKind { .. },
+            ) => Some("mimic"),
+            _ => None,
         }
     }
 }

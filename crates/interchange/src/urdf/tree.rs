@@ -8,6 +8,9 @@ use urdf_rs::{Joint, Link, Robot};
 
 use super::UrdfFault;
 
+/// The link with the figure's own axes, where a file has one: what carries it stands it elsewhere and is left out.
+pub const GROUND: &str = "ground";
+
 /// The most links that are read.
 pub const MAX_LINKS: usize = 4096;
 
@@ -101,7 +104,7 @@ impl<'a> Tree<'a> {
         let own = self.link_of[&bone];
         let mut link = own;
         let mut chain = Vec::new();
-        while let Some(&joint) = self.above.get(link) {
+        while let Some(&joint) = self.above.get(link).filter(|_| link != GROUND) {
             chain.push(joint);
             link = &joint.parent.link;
             if let Some(&carrier) = self.bones.get(link) {

@@ -1,0 +1,81 @@
+//! Robots from their files, with the meshes that those name.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rig::{Robot, Solid};
+
+use crate::disk::{MODEL_LIMIT, read_bytes, read_text};
+use crate::failure::Failure;
+
+/// How many folders above a robot's own are searched for its meshes.
+const LEVELS: usize = 6;
+
+/// Reads a `*.urdf` file and the meshes that it names.
+///
+/// Also returns warnings: what is odd but does no harm, such as meshes that could not be had and have stand-ins.
+///
+/// # Errors
+/// A file at fault: where and why.
+pub fn robot(path: &Path) -> Result<(Robot, Vec<String>), Failure> {
+    let (mut robot, mut warnings) = interchange::urdf::read_robot(&read_text(path)?)
+        .map_err(|e| Failure::Input(format!("{}:{e}", path.display())))?;
+    warnings.extend(fill(&mut robot, path));
+    Ok((robot, warnings))
+}
+
+/// Gives a robot the meshes that its file names; what could not be had is returned.
+fn fill(robot: &mut Robot, path: &Path) -> Vec<String> {
+    let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+    robot.fill_meshes(&mut |file| mesh(&folder, file).map(Arc::new))
+}
+
+fn mesh(folder: &Path, file: &str) -> Result<Solid, String> {
+    let found = candidates(folder, file).into_iter().find(|p| p.is_file());
+    let path = found.ok_or_else(|| "there is no such file".to_owned())?;
+    let bytes = read_bytes(&path, MODEL_LIMIT).map_err(|e| e.to_string())?;
+    let beside = path.parent().map(Path::to_owned).unwrap_or_default();
+    interchange::solid::read(file, &bytes, &mut |name| {
+        read_bytes(&beside.join(name), MODEL_LIMIT).map_err(|e| e.to_string())
+    })
+}
+
+/// Where a mesh may be. `package://NAME/REST` is NAME/REST or REST in the robot's folder or one above; so is what stands after
+/// the `..` of other names, since robots are often copied without the folders around them.
+fn candidates(folder: &Path, file: &str) -> Vec<PathBuf> {
+    let file = file.strip_prefix("file://").unwrap_or(file);
+    let mut names = Vec::new();
+    match file.strip_prefix("package://").or_else(|| file.strip_prefix("model://")) {
+        Some(name) => {
+            names.push(name);
+            names.extend(name.split_once('/').map(|(_, rest)| rest));
+        }
+        None => {
+            names.push(file);
+            names.push(file.trim_start_matches("../").trim_start_matches("./"));
+        }
+    }
+    let whole = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    let levels = whole.ancestors().take(LEVELS);
+    levels.flat_map(|level| names.iter().map(|name| level.join(name)).collect::<Vec<_>>()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn packages_are_looked_for_beside_and_above() {
+        let found = candidates(Path::new("/robots/arm/urdf"), "package://arm/meshes/a.stl");
+        for expected in
+            ["/robots/arm/urdf/meshes/a.stl", "/robots/arm/meshes/a.stl", "/robots/arm/meshes/a.stl"]
+        {
+            assert!(found.contains(&PathBuf::from(expected)), "{expected}: {found:?}");
+        }
+        assert_eq!(
+            candidates(Path::new("/robots"), "../meshes/b.stl")[..2],
+            [PathBuf::from("/robots/../meshes/b.stl"), PathBuf::from("/robots/meshes/b.stl")]
+        );
+        assert_eq!(candidates(Path::new("/robots"), "/meshes/c.stl")[0], Path::new("/meshes/c.stl"));
+    }
+}
