@@ -70,8 +70,9 @@ pub use pose_file::{
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use robot::{
-    DofPart, Inertial, JointLimit, Mimic, Paint, Robot, RobotChain, RobotDof, RobotError, RobotJoint, RobotJointKind, RobotLink,
-    RobotPose, STAND_IN, STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
+    ChangeError, DofPart, Inertial, JointLimit, Mimic, NewLink, Paint, Robot, RobotChain, RobotDof, RobotError,
+    RobotGoal, RobotJoint, RobotJointKind, RobotLink, RobotPose, RobotReach, RobotSkin, STAND_IN,
+    STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
 };
 pub use size::Size;
 pub use skeleton::{Skeleton, SkeletonError};

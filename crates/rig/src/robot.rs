@@ -1,11 +1,14 @@
 //! A robot: links on a tree of joints, as in URDF, with their looks; how it stands at given joint values.
 
+mod change;
 mod fault;
 mod joint;
 mod look;
 mod nodes;
 mod order;
 mod pose;
+mod reach;
+mod skin;
 mod solid;
 
 use std::collections::BTreeMap;
@@ -13,11 +16,14 @@ use std::collections::BTreeMap;
 use glam::{DQuat, DVec3};
 use kin::Frame;
 
+pub use change::{ChangeError, NewLink};
 pub use fault::RobotError;
 pub use joint::{DofPart, JointLimit, Mimic, RobotJoint, RobotJointKind, rotation_of_rpy, rpy_of_rotation};
 pub use look::{Inertial, Paint, RobotLink, Shape, Visual};
 pub use nodes::RobotChain;
 pub use pose::{RobotDof, RobotPose};
+pub use reach::{RobotGoal, RobotReach};
+pub use skin::RobotSkin;
 pub use solid::{STAND_IN, STAND_IN_EDGE_M, Solid, UNPAINTED};
 
 /// Links on a tree of joints.
