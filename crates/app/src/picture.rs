@@ -15,6 +15,7 @@ mod order;
 mod png;
 mod sheet;
 mod shot;
+mod subject;
 mod turntable;
 mod webp;
 mod words;
@@ -25,7 +26,7 @@ use std::path::Path;
 use render::Image;
 
 pub use choices::{Choices, MOST_EDGE, MOST_FRAMES};
-pub use darkroom::{Darkroom, Posed, bounds, open_gpu, rest_positions};
+pub use darkroom::{Darkroom, bounds, open_gpu, rest_positions};
 pub use facts::Facts;
 pub use framing::fit;
 pub use keypoints::Landmarks;
@@ -34,6 +35,7 @@ pub use naming::{Format, Naming};
 pub use order::{Order, title_of};
 pub use sheet::{Sheet, Tile, on_plain};
 pub use shot::{Shot, Viewpoint, camera_words, pass_name, style_name};
+pub use subject::{Posed, Standing, Subject};
 pub use turntable::{around, turntable};
 pub use work::Work;
 

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use app::load;
-use app::picture::{Darkroom, Facts, Posed, Shot, Viewpoint, write_png};
+use app::picture::{Darkroom, Facts, Shot, Subject, Viewpoint, write_png};
 use render::{Image, Look};
 use rig::{Bone, View};
 
@@ -72,9 +72,9 @@ fn compare(darkroom: &mut Darkroom, name: &str, view: View) -> Result<(), String
     let editor = load::editor(&figure, &pose_file(name)).unwrap();
     let look = Look { transparent: true, ..Look::default() };
     let shot = Shot { look, ..Shot::new([EDGE, EDGE]) };
-    let posed = Posed::of(&editor);
-    let camera = Viewpoint::from(view).camera(posed.bounds(), shot.aspect());
-    let drawn = darkroom.image(&posed, camera, &shot).map_err(|e| format!("{name}: {e}"))?;
+    let subject = Subject::of(&editor);
+    let camera = Viewpoint::from(view).camera(subject.bounds(), shot.aspect());
+    let drawn = darkroom.image(&subject, camera, &shot).map_err(|e| format!("{name}: {e}"))?;
     let file = format!("{name}-{view}.png");
     if updating() {
         return write_png(&drawn, &Facts::default(), &stored(&file)).map_err(|e| e.to_string());

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::finish::Finish;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Naming, Order, Posed, Shot, Viewpoint, Work, title_of, turntable, write_png,
+    Darkroom, Facts, Format, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable, write_png,
 };
 use crate::window::{Showing, ui_picture};
 
@@ -206,25 +206,30 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
             "--frames is for clips, which Posewright can't play yet; --turntable FRAMES goes around a pose";
         return Err(Failure::Usage(message.to_owned()));
     }
-    let editor = load::editor(&load::figure(told.figure.as_deref())?, &told.file)?;
     let viewpoint = told.viewpoint.viewpoint();
-    if told.ui {
-        return window(told, &editor, viewpoint.view);
-    }
-    let posed = Posed::of(&editor);
+    let subject = if load::shows_chain(&told.file)? {
+        let (editor, _) = load::chain_editor(&told.file)?;
+        Subject::of_chain(editor.document())
+    } else {
+        let editor = load::editor(&load::figure(told.figure.as_deref())?, &told.file)?;
+        if told.ui {
+            return window(told, &editor, viewpoint.view);
+        }
+        Subject::of(&editor)
+    };
     let look = told.look.look(told.style);
     let aspect = Shot::new(told.size).aspect();
-    let first = viewpoint.camera(posed.bounds(), aspect);
+    let first = viewpoint.camera(subject.bounds(), aspect);
     let cameras = match told.turntable {
         Some(frames) => {
             let frames = usize::try_from(frames).unwrap_or(1);
-            turntable(first, posed.bounds(), aspect, frames, viewpoint.zoom)
+            turntable(first, subject.bounds(), aspect, frames, viewpoint.zoom)
         }
         None => vec![first],
     };
     let order = Order {
-        title: title(told, &posed)?,
-        posed,
+        title: title(told, &subject)?,
+        subject,
         cameras,
         size: told.size,
         passes: told.pass.iter().map(|pass| Pass::from(*pass)).collect(),
@@ -238,9 +243,9 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
 }
 
 /// The pose's name; a figure file shows the figure at rest.
-fn title(told: &RenderArguments, posed: &Posed) -> Result<String, Failure> {
+fn title(told: &RenderArguments, subject: &Subject) -> Result<String, Failure> {
     Ok(match Kind::of(&told.file)? {
-        Kind::Figure => format!("{} at rest", posed.figure.name),
+        Kind::Figure => format!("{} at rest", subject.name()),
         _ => title_of(&told.file),
     })
 }

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::library::shipped;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Naming, Posed, Sheet, Tile, Viewpoint, Work, on_plain, title_of,
+    Darkroom, Facts, Format, Naming, Sheet, Subject, Tile, Viewpoint, Work, on_plain, title_of,
 };
 
 /// What `sheet` is told.
@@ -62,7 +62,7 @@ pub fn sheet(told: &SheetArguments) -> Result<(), Failure> {
         one_scale: told.one_scale,
     };
     let titles: Vec<&str> = sheet.tiles.iter().map(|tile| tile.title.as_str()).collect();
-    let mut figures: Vec<&str> = sheet.tiles.iter().map(|tile| tile.posed.figure.name.as_str()).collect();
+    let mut figures: Vec<&str> = sheet.tiles.iter().map(|tile| tile.subject.name()).collect();
     figures.dedup();
     let facts = Facts::new(&titles.join(", "), &figures.join(", "));
     sheet.write(&told.output, &facts, &mut Darkroom::open()?, &Work::on_terminal())
@@ -77,11 +77,11 @@ fn tiles(told: &SheetArguments) -> Result<Vec<Tile>, Failure> {
     let mut tiles = Vec::new();
     for figure in &figures {
         for file in &told.files {
-            let posed = Posed::of(&load::editor(figure, file)?);
+            let subject = Subject::of(&load::editor(figure, file)?);
             for style in &told.styles {
                 let look = on_plain(told.look.look(*style));
-                let title = title(told, file, &posed, &words_of(*style), figures.len());
-                tiles.push(Tile { posed: posed.clone(), look, title });
+                let title = title(told, file, &subject, &words_of(*style), figures.len());
+                tiles.push(Tile { subject: subject.clone(), look, title });
             }
         }
     }
@@ -89,11 +89,11 @@ fn tiles(told: &SheetArguments) -> Result<Vec<Tile>, Failure> {
 }
 
 /// What tells a tile from the others: pose, look, figure.
-fn title(told: &SheetArguments, file: &Path, posed: &Posed, style: &str, figures: usize) -> String {
+fn title(told: &SheetArguments, file: &Path, subject: &Subject, style: &str, figures: usize) -> String {
     let own = matches!(Kind::of(file), Ok(Kind::Figure));
     let mut words = Vec::new();
     if own || figures > 1 {
-        words.push(begun(&posed.figure.name));
+        words.push(begun(subject.name()));
     }
     if !own && (told.files.len() > 1 || words.is_empty() && told.styles.len() == 1) {
         words.push(pose_title(file));

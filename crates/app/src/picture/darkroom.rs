@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use edit::Editor;
 use glam::DVec3;
 use render::{FigureView, Gpu, GpuError, Image, Keypoints, Pass, Renderer, Scene};
 use rig::{Bone, Bounds, Camera, Evaluation, Figure, Palette, skin_positions};
 
 use super::keypoints::Landmarks;
 use super::shot::Shot;
+use super::subject::Subject;
 use crate::failure::Failure;
 
 /// Opens the graphics adapter.
@@ -38,36 +38,10 @@ pub fn bounds(figure: &Figure, evaluation: &Evaluation) -> Bounds {
     }
 }
 
-/// A figure in a pose.
-#[derive(Clone, Debug)]
-pub struct Posed {
-    /// Who.
-    pub figure: Arc<Figure>,
-    /// How.
-    pub evaluation: Evaluation,
-}
-
-impl Posed {
-    /// As an editor shows it.
-    pub fn of(editor: &Editor) -> Posed {
-        Posed { figure: editor.figure().clone(), evaluation: editor.evaluation().clone() }
-    }
-
-    /// What moves its skin.
-    pub fn palette(&self) -> Palette {
-        Palette::new(&self.evaluation.frames, &rest_positions(&self.figure))
-    }
-
-    /// The box around it.
-    pub fn bounds(&self) -> Bounds {
-        bounds(&self.figure, &self.evaluation)
-    }
-}
-
-/// A device, and the figure that was drawn last.
+/// A device, and what was drawn last.
 pub struct Darkroom {
     renderer: Renderer,
-    drawn: Option<Arc<Figure>>,
+    drawn: Option<Subject>,
     /// The figure's keypoints, once they were asked for.
     landmarks: Option<(Arc<Figure>, Landmarks)>,
 }
@@ -89,13 +63,12 @@ impl Darkroom {
     /// Draws a picture.
     ///
     /// # Errors
-    /// A skin at fault, a size that can't be, a driver that complains.
-    pub fn image(&mut self, posed: &Posed, camera: Camera, shot: &Shot) -> Result<Image, Failure> {
-        self.seat(&posed.figure)?;
-        let (palette, keypoints) = self.prepared(posed, shot.pass);
-        let figures = [FigureView::new(&palette)];
-        let scene = scene(posed, &figures, &keypoints, camera, shot);
-        Ok(self.renderer.image(&scene)?)
+    /// A skin at fault, a size that can't be, keypoints of a chain, a driver that complains.
+    pub fn image(&mut self, subject: &Subject, camera: Camera, shot: &Shot) -> Result<Image, Failure> {
+        self.seat(subject)?;
+        let (palettes, keypoints) = self.prepared(subject, shot.pass)?;
+        let figures = views(subject, &palettes);
+        Ok(self.renderer.image(&scene(&figures, &keypoints, camera, shot))?)
     }
 
     /// Draws a picture of any size, band after band from the top, each as wide as the picture.
@@ -104,21 +77,27 @@ impl Darkroom {
     /// As [`Darkroom::image`], and what `take` finds wrong.
     pub fn bands(
         &mut self,
-        posed: &Posed,
+        subject: &Subject,
         camera: Camera,
         shot: &Shot,
         mut take: impl FnMut(&Image) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        self.seat(&posed.figure)?;
-        let (palette, keypoints) = self.prepared(posed, shot.pass);
-        let figures = [FigureView::new(&palette)];
-        let scene = scene(posed, &figures, &keypoints, camera, shot);
-        self.renderer.bands(&scene, |band| take(&band.image))
+        self.seat(subject)?;
+        let (palettes, keypoints) = self.prepared(subject, shot.pass)?;
+        let figures = views(subject, &palettes);
+        self.renderer.bands(&scene(&figures, &keypoints, camera, shot), |band| take(&band.image))
     }
 
     /// The keypoints of a posed figure.
-    pub fn keypoints(&mut self, posed: &Posed) -> Keypoints {
-        match &self.landmarks {
+    ///
+    /// # Errors
+    /// A chain has none.
+    pub fn keypoints(&mut self, subject: &Subject) -> Result<Keypoints, Failure> {
+        let posed = subject.posed().ok_or_else(|| {
+            let name = subject.name();
+            Failure::Usage(format!("{name} is a chain: only figures have the keypoints of OpenPose"))
+        })?;
+        Ok(match &self.landmarks {
             Some((figure, landmarks)) if Arc::ptr_eq(figure, &posed.figure) => {
                 landmarks.keypoints(&posed.evaluation)
             }
@@ -128,34 +107,38 @@ impl Darkroom {
                 self.landmarks = Some((posed.figure.clone(), landmarks));
                 points
             }
-        }
+        })
     }
 
-    /// Uploads the figure's skin, unless it is there.
-    fn seat(&mut self, figure: &Arc<Figure>) -> Result<(), Failure> {
-        if self.drawn.as_ref().is_some_and(|former| Arc::ptr_eq(former, figure)) {
+    /// Uploads what is seen of a subject, unless it is there.
+    fn seat(&mut self, subject: &Subject) -> Result<(), Failure> {
+        if self.drawn.as_ref().is_some_and(|former| former.looks_like(subject)) {
             return Ok(());
         }
-        if let Some(mesh) = &figure.skin {
-            self.renderer.set_mesh(0, mesh)?;
+        for (slot, mesh) in subject.meshes().iter().enumerate() {
+            self.renderer.set_mesh(slot, mesh)?;
         }
-        self.drawn = Some(figure.clone());
+        self.drawn = Some(subject.clone());
         Ok(())
     }
 
-    fn prepared(&mut self, posed: &Posed, pass: Pass) -> (Palette, Vec<Keypoints>) {
-        let points = (pass == Pass::OpenPose).then(|| self.keypoints(posed));
-        (posed.palette(), points.into_iter().collect())
+    fn prepared(&mut self, subject: &Subject, pass: Pass) -> Result<(Vec<Palette>, Vec<Keypoints>), Failure> {
+        let points = if pass == Pass::OpenPose { vec![self.keypoints(subject)?] } else { Vec::new() };
+        Ok((subject.palettes(), points))
     }
 }
 
+/// A view of each mesh of a subject.
+fn views<'a>(subject: &Subject, palettes: &'a [Palette]) -> Vec<FigureView<'a>> {
+    let slots = 0..subject.meshes().len();
+    slots.zip(palettes).map(|(skin, palette)| FigureView { skin, ..FigureView::new(palette) }).collect()
+}
+
 fn scene<'a>(
-    posed: &Posed,
     figures: &'a [FigureView<'a>],
     keypoints: &'a [Keypoints],
     camera: Camera,
     shot: &Shot,
 ) -> Scene<'a> {
-    let drawn = if posed.figure.skin.is_some() { figures } else { &[] };
-    Scene { look: shot.look, pass: shot.pass, keypoints, ..Scene::new(drawn, camera, shot.size) }
+    Scene { look: shot.look, pass: shot.pass, keypoints, ..Scene::new(figures, camera, shot.size) }
 }

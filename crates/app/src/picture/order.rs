@@ -5,13 +5,14 @@ use std::path::Path;
 use render::{Look, Pass};
 use rig::Camera;
 
-use super::darkroom::{Darkroom, Posed};
+use super::darkroom::Darkroom;
 use super::facts::Facts;
 use super::film::Film;
 use super::keypoints_file::keypoints_text;
 use super::naming::{Format, Naming, PASS};
 use super::png::{Shape, write_rows};
 use super::shot::{Shot, camera_words, pass_name, style_name};
+use super::subject::Subject;
 use super::webp::WebP;
 use super::work::Work;
 use crate::disk::write_atomic;
@@ -20,8 +21,8 @@ use crate::failure::Failure;
 /// Pictures to be made: each pass from each camera.
 #[derive(Clone, Debug)]
 pub struct Order {
-    /// Who, and how.
-    pub posed: Posed,
+    /// What they show.
+    pub subject: Subject,
     /// The name of the pose.
     pub title: String,
     /// One for a still, several for frames.
@@ -105,7 +106,7 @@ impl Order {
 
     fn write_keypoints(&self, darkroom: &mut Darkroom) -> Result<(), Failure> {
         let Some(naming) = &self.keypoints else { return Ok(()) };
-        let people = [darkroom.keypoints(&self.posed)];
+        let people = [darkroom.keypoints(&self.subject)?];
         for (i, camera) in self.cameras.iter().enumerate() {
             let text = keypoints_text(&people, camera, self.size)?;
             write_atomic(&naming.file("keypoints", i), text.as_bytes())?;
@@ -125,13 +126,13 @@ impl Order {
         work.begin(u64::from(self.size[1]), "rows");
         if self.naming.format == Format::WebP {
             let mut webp = WebP::begin(&file, self.size, shot.alpha(), &facts, false)?;
-            webp.still(&darkroom.image(&self.posed, camera, shot)?)?;
+            webp.still(&darkroom.image(&self.subject, camera, shot)?)?;
             work.check()?;
             return webp.finish();
         }
         let shape = Shape { size: self.size, alpha: shot.alpha() };
         write_rows(&file, shape, &facts, |rows| {
-            darkroom.bands(&self.posed, camera, shot, |band| {
+            darkroom.bands(&self.subject, camera, shot, |band| {
                 rows.take(&band.rgba)?;
                 work.advance(u64::from(band.height))
             })
@@ -158,11 +159,11 @@ impl Order {
             fps: self.fps,
             facts: &facts,
         };
-        film.write(work, |i| darkroom.image(&self.posed, cameras[i], shot))
+        film.write(work, |i| darkroom.image(&self.subject, cameras[i], shot))
     }
 
     fn facts(&self, camera: &Camera, shot: &Shot) -> Facts {
-        let facts = Facts::new(&self.title, &self.posed.figure.name)
+        let facts = Facts::new(&self.title, self.subject.name())
             .with("Pass", pass_name(shot.pass))
             .with("View", camera_words(camera));
         match shot.pass {

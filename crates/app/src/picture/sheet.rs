@@ -4,13 +4,14 @@ use std::path::Path;
 
 use glam::Vec3;
 use render::{Image, Look};
-use rig::{Camera, skin_positions};
+use rig::Camera;
 
-use super::darkroom::{Darkroom, Posed};
+use super::darkroom::Darkroom;
 use super::facts::Facts;
 use super::framing::fit;
 use super::png::{Shape, write_rows};
 use super::shot::{Shot, Viewpoint};
+use super::subject::Subject;
 use super::words::Writer;
 use super::work::Work;
 use crate::failure::Failure;
@@ -26,8 +27,8 @@ const LABEL_PX: std::ops::RangeInclusive<f32> = 22.0..=96.0;
 /// One picture of a sheet.
 #[derive(Clone, Debug)]
 pub struct Tile {
-    /// Who, and how.
-    pub posed: Posed,
+    /// What it shows.
+    pub subject: Subject,
     /// How it is drawn.
     pub look: Look,
     /// What stands below it.
@@ -91,7 +92,7 @@ impl Sheet {
                     let camera = cameras[row * self.columns.max(1) + column];
                     let shot = Shot { look: tile.look, ..Shot::new(self.tile_size) };
                     let left = GAP + column as u32 * (width + GAP);
-                    put(&mut band, row_bytes, &darkroom.image(&tile.posed, camera, &shot)?, [left, 0]);
+                    put(&mut band, row_bytes, &darkroom.image(&tile.subject, camera, &shot)?, [left, 0]);
                     if let Some(writer) = &mut writer {
                         let words = self.label(writer, tile)?;
                         put(&mut band, row_bytes, &words, [left, self.tile_size[1]]);
@@ -133,24 +134,15 @@ impl Sheet {
     /// Where each tile is seen from.
     fn cameras(&self) -> Vec<Camera> {
         let aspect = self.tile_size[0] as f32 / self.tile_size[1].max(1) as f32;
-        let points: Vec<Vec<Vec3>> = self.tiles.iter().map(|tile| skin(&tile.posed)).collect();
+        let points: Vec<Vec<Vec3>> = self.tiles.iter().map(|tile| tile.subject.points()).collect();
         let all = if self.one_scale { points.concat() } else { Vec::new() };
         let of = |(tile, points): (&Tile, &Vec<Vec3>)| {
-            let first = self.viewpoint.camera(tile.posed.bounds(), aspect);
+            let first = self.viewpoint.camera(tile.subject.bounds(), aspect);
             let mut camera = fit(first, if self.one_scale { &all } else { points }, aspect);
             camera.zoom(1.0 / self.viewpoint.zoom, camera.target);
             camera
         };
         self.tiles.iter().zip(&points).map(of).collect()
-    }
-}
-
-/// Places of the posed skin, or of the joints of a figure without one, world, metres.
-fn skin(posed: &Posed) -> Vec<Vec3> {
-    let frames = &posed.evaluation.frames;
-    match &posed.figure.skin {
-        Some(mesh) => skin_positions(mesh, &posed.palette()),
-        None => frames.0.iter().map(|frame| frame.position.as_vec3()).collect(),
     }
 }
 

@@ -9,7 +9,7 @@ use render::Look;
 
 use super::Session;
 use crate::failure::Failure;
-use crate::picture::{Darkroom, Format, Naming, Order, Posed, Work, around, title_of};
+use crate::picture::{Darkroom, Format, Naming, Order, Subject, Work, around, title_of};
 
 /// So long the window waits before it looks again how far the work is, seconds.
 const LOOK_AGAIN_SECS: f32 = 0.1;
@@ -92,7 +92,7 @@ impl Session {
         }
         let keys = if frames > 1 { numbered(path, "json") } else { path.with_extension("json") };
         Ok(Order {
-            posed: Posed::of(&self.editor),
+            subject: Subject::of(&self.editor),
             title: self.path.as_deref().map_or_else(|| "unnamed".to_owned(), title_of),
             cameras: around(camera, frames),
             size: choices.size,
