@@ -184,7 +184,7 @@ fn run_on_chain(
 ) -> Result<(), Failure> {
     let (editor, reports) = load::chain_script(path, on)?;
     if let Some(save) = save {
-        robots::save(editor.document(), save)?;
+        load::save_chain(editor.document(), save)?;
     }
     match report {
         Some(to) => write_json(&reports, to),
@@ -208,12 +208,7 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-fn inspect(
-    file: &Path,
-    json: bool,
-    joints: Option<&str>,
-    figure: Option<&Path>,
-) -> Result<(), Failure> {
+fn inspect(file: &Path, json: bool, joints: Option<&str>, figure: Option<&Path>) -> Result<(), Failure> {
     match (Kind::of(file)?, joints) {
         (Kind::Urdf, _) => return robots::inspect(file, json, joints),
         (_, Some(_)) => {

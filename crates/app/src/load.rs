@@ -12,7 +12,7 @@ use rig::{Figure, Pose, PosePatch};
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::shipped;
-pub use chain::{chain_editor, script as chain_script, shows_chain};
+pub use chain::{chain_editor, save as save_chain, script as chain_script, shows_chain};
 pub use robot::robot;
 
 /// What a file is, by its name.
