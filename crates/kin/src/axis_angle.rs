@@ -32,7 +32,7 @@ pub(crate) fn scaled_axis(v: DVec3) -> DQuat {
 
 /// Sine and cosine: quarter turns taken off in two parts, then the polynomials of fdlibm.
 #[inline(always)]
-fn sin_cos(angle: f64) -> (f64, f64) {
+pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
     if angle.abs() <= FRAC_PI_4 {
         return near_zero(angle);
     }

@@ -6,10 +6,11 @@
 //!
 //! Forward kinematics is [`Chain::frames`] and [`Chain::place`]; [`Chain::turn`] moves one joint as far as
 //! its range lets it and so carries every descendant.
+//! [`Chain::solve`] goes the other way: a [`Goal`] for a point of any node, and a [`Solver`].
 //!
 //! ```
 //! use glam::DVec3;
-//! use kin::{Frame, Interval, chain::{Chain, Joint, Node, Value}};
+//! use kin::{Frame, Interval, chain::{Chain, Goal, Joint, Node, Options, Value}};
 //! let hinge = Joint::Revolute { axis: DVec3::Z, range: Interval::new(-2.0, 2.0) };
 //! let mut chain = Chain::default();
 //! for parent in [None, Some(0), Some(1)] {
@@ -18,18 +19,32 @@
 //! let mut values = chain.rest();
 //! chain.turn(&mut values, 1, Value::Amount(5.0))?;
 //! assert_eq!(values[1], Value::Amount(2.0));
+//! let goal = Goal::tip(&chain, 2, DVec3::new(1.0, 2.0, 0.0))?;
+//! let solved = chain.solve(&values, Frame::IDENTITY, &goal, &Options::of(&chain))?;
+//! assert!(solved.reached);
 //! let ends = chain.place(&values, Frame::IDENTITY)?;
 //! assert!(ends[2].joint.abs_diff_eq(DVec3::new(1.0 + 2f64.cos(), 2f64.sin(), 0.0), 1e-15));
 //! # Ok::<(), kin::chain::ChainError>(())
 //! ```
 
+mod bend;
+mod ccd;
 mod edit;
 mod error;
+mod fabrik;
+mod follow;
 mod forward;
+mod goal;
 mod joint;
+mod least_squares;
+mod linkage;
+mod restart;
+mod solve;
+mod two_links;
 
 pub use error::ChainError;
 pub use forward::Place;
+pub use goal::{Goal, Options, Root, Solved, Solver};
 pub use joint::{BallRange, Joint, Value};
 
 use glam::{DQuat, DVec3};
@@ -150,7 +165,8 @@ impl Chain {
     /// There is no such node.
     pub fn path(&self, node: usize) -> Result<Vec<usize>, ChainError> {
         let mut at = self.node(node)?.parent;
-        let mut path = vec![node];
+        let mut path = Vec::with_capacity(node + 1);
+        path.push(node);
         while let Some(parent) = at {
             path.push(parent);
             at = self.nodes[parent].parent;

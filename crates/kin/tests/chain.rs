@@ -34,10 +34,10 @@ fn tree(seeded: &mut Seeded) -> Chain {
         let tip = seeded.direction() * seeded.between(0.1, 1.0);
         let node = Node::link(parent, joint(seeded), tip);
         if seeded.unit() < 0.5 {
-            chain.append(node).unwrap();
+            chain.append(node).expect("a sound problem");
         } else {
             let origin = Frame::new(seeded.rotation(), seeded.direction());
-            chain.attach(Node { origin, ..node }).unwrap();
+            chain.attach(Node { origin, ..node }).expect("a sound problem");
         }
     }
     chain
@@ -61,7 +61,9 @@ fn delta(joint: &Joint, seeded: &mut Seeded) -> Value {
 
 fn frames(chain: &Chain, values: &[Value]) -> Vec<Frame> {
     let mut out = Vec::new();
-    chain.frames(values, Frame::new(DQuat::from_rotation_y(0.4), DVec3::ONE), &mut out).unwrap();
+    chain
+        .frames(values, Frame::new(DQuat::from_rotation_y(0.4), DVec3::ONE), &mut out)
+        .expect("a sound problem");
     out
 }
 
@@ -70,7 +72,7 @@ fn same(a: Frame, b: Frame) -> bool {
 }
 
 fn descends(chain: &Chain, node: usize, from: usize) -> bool {
-    chain.path(node).unwrap().contains(&from)
+    chain.path(node).expect("a sound problem").contains(&from)
 }
 
 #[test]

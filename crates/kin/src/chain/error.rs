@@ -1,5 +1,7 @@
 //! What can be wrong with a chain, its values or a goal.
 
+use super::Solver;
+
 /// Why a chain, a value or a goal was refused.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -60,6 +62,14 @@ pub enum ChainError {
         /// The faulty node.
         node: usize,
     },
+    /// A rotation among the values is not of unit length.
+    #[error("node {node}: its rotation is a quaternion of length {length}, not 1")]
+    NotUnit {
+        /// The faulty node.
+        node: usize,
+        /// The quaternion's length; NaN if a part of it is.
+        length: f64,
+    },
     /// A range is NaN, or its lower end is above the upper.
     #[error("node {node}: the {what} from {min} to {max} is no range")]
     Range {
@@ -105,5 +115,19 @@ pub enum ChainError {
     NoDirection {
         /// The node.
         node: usize,
+    },
+    /// A tolerance must be above zero.
+    #[error("the {what} must be above zero and finite, not {tolerance}")]
+    Tolerance {
+        /// Which tolerance.
+        what: &'static str,
+        /// What was asked for.
+        tolerance: f64,
+    },
+    /// The solver knows positions only.
+    #[error("{solver:?} solves for positions only: a goal with a rotation takes Best or DampedLeastSquares")]
+    PositionsOnly {
+        /// The solver that was asked for.
+        solver: Solver,
     },
 }

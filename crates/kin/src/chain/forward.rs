@@ -94,7 +94,11 @@ impl Node {
     /// `world_from_node`; rotations that are the identity cost nothing.
     #[inline(always)]
     pub(super) fn carried(&self, world_from_parent: Frame, value: Value) -> Frame {
-        let position = world_from_parent.point(self.origin.position);
+        let position = if world_from_parent.rotation == DQuat::IDENTITY {
+            world_from_parent.position + self.origin.position
+        } else {
+            world_from_parent.point(self.origin.position)
+        };
         let rotation = turned(world_from_parent.rotation, self.origin.rotation);
         match (&self.joint, value) {
             (Joint::Ball { .. }, Value::Turn(q)) => Frame::new(turned(rotation, q), position),

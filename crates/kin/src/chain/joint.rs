@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
-use super::{ChainError, unit_rotation};
+use super::ChainError;
 use crate::{Cone, Frame, Interval, axis_angle, swing_twist};
 
 /// How a node moves in its parent. Axes are unit vectors in the joint's frame.
@@ -223,13 +223,12 @@ impl Value {
     pub(super) fn check(self, joint: &Joint, node: usize) -> Result<(), ChainError> {
         match (joint, self) {
             (Joint::Ball { .. }, Value::Turn(q)) => {
-                // The negated comparison catches NaN too.
-                if !((q.length_squared() - 1.0).abs() < 1e-6) {
-                    return Err(if q.is_finite() && unit_rotation(q).is_none() {
-                        ChainError::NoRotation { node }
-                    } else {
-                        ChainError::NotFinite { node, what: "rotation's length, which should be 1," }
-                    });
+                let length_squared = q.length_squared();
+                if length_squared == 0.0 {
+                    return Err(ChainError::NoRotation { node });
+                }
+                if (length_squared - 1.0).abs() > 1e-6 || length_squared.is_nan() {
+                    return Err(ChainError::NotUnit { node, length: length_squared.sqrt() });
                 }
             }
             (Joint::Ball { .. }, Value::Amount(_)) | (_, Value::Turn(_)) => {
