@@ -62,7 +62,7 @@ enum Task {
     Sheet(SheetArguments),
     /// Tells what a pose comes to, or where the links of a robot are.
     Inspect {
-        /// The pose, script, figure or URDF file.
+        /// The pose, script, figure, URDF or chain file.
         file: PathBuf,
         /// One record as JSON, as in the reports of `run`; of a robot its links and joints.
         #[arg(long)]
@@ -74,9 +74,16 @@ enum Task {
         #[arg(long)]
         figure: Option<PathBuf>,
     },
+    /// Writes a figure's skeleton, a robot or a chain as a file of another kind.
+    Convert {
+        /// The figure, URDF or chain file; figures that come with the program as library:NAME.figure.ron.
+        file: PathBuf,
+        /// The URDF or chain file to write.
+        to: PathBuf,
+    },
     /// Checks files and says what is wrong where: file:line:column: message.
     Check {
-        /// Poses, scripts, figures, URDF and GLB files.
+        /// Poses, scripts, figures, chains, URDF and GLB files.
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// The figure that poses and scripts are for, *.figure.ron.
@@ -131,6 +138,7 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
         Some(Task::Inspect { file, json, joints, figure }) => {
             inspect(&file, json, joints.as_deref(), figure.as_deref()).map_err(one)
         }
+        Some(Task::Convert { file, to }) => robots::convert(&file, &to).map_err(one),
         Some(Task::Check { files, figure }) => check(&files, figure.as_deref()),
     }
 }
@@ -210,9 +218,9 @@ fn print(text: &str) -> Result<(), Failure> {
 
 fn inspect(file: &Path, json: bool, joints: Option<&str>, figure: Option<&Path>) -> Result<(), Failure> {
     match (Kind::of(file)?, joints) {
-        (Kind::Urdf, _) => return robots::inspect(file, json, joints),
+        (Kind::Urdf | Kind::Chain, _) => return robots::inspect(file, json, joints),
         (_, Some(_)) => {
-            return Err(Failure::Usage("--joints: these are the joints of a robot, *.urdf".to_owned()));
+            return Err(Failure::Usage("--joints: only robots have such joints, *.urdf and *.chain.ron".to_owned()));
         }
         _ => {}
     }
@@ -263,7 +271,7 @@ fn check(files: &[PathBuf], figure: Option<&Path>) -> Result<(), Vec<Failure>> {
                 load::editor(&figure, path).map(|_| ())
             }
             Kind::Figure => load::figure(Some(path)).map(|_| ()),
-            Kind::Urdf => robots::check(path),
+            Kind::Urdf | Kind::Chain => robots::check(path),
             Kind::Glb => interchange::glb::read(&read_bytes(path, MODEL_LIMIT)?, &figure.skeleton)
                 .map(|_| ())
                 .map_err(|e| Failure::Input(format!("{}:1:1: {e}", path.display()))),

@@ -13,7 +13,7 @@ use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::shipped;
 pub use chain::{chain_editor, save as save_chain, script as chain_script, shows_chain};
-pub use robot::robot;
+pub use robot::{chain, robot};
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -24,6 +24,8 @@ pub enum Kind {
     Script,
     /// `*.figure.ron`
     Figure,
+    /// `*.chain.ron`
+    Chain,
     /// `*.urdf`
     Urdf,
     /// `*.glb`
@@ -41,6 +43,7 @@ impl Kind {
             (".pose.ron", Kind::Pose),
             (".script.ron", Kind::Script),
             (".figure.ron", Kind::Figure),
+            (".chain.ron", Kind::Chain),
             (".urdf", Kind::Urdf),
             (".glb", Kind::Glb),
         ];
@@ -143,7 +146,7 @@ pub fn editor(figure: &Arc<Figure>, path: &Path) -> Result<Editor, Failure> {
             run_script(&mut editor, &script, &mut Disk::beside(path)).map_err(|fault| at(path, &fault))?;
         }
         Kind::Figure => return self::figure(Some(path)).map(Editor::new),
-        Kind::Urdf | Kind::Glb => {
+        Kind::Chain | Kind::Urdf | Kind::Glb => {
             let message = "this shows no posed figure; give a .pose.ron, .script.ron or .figure.ron file";
             return Err(Failure::Input(format!("{}: {message}", path.display())));
         }

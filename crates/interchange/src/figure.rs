@@ -3,8 +3,8 @@
 //! Only the left side need be written; the right takes its twins, mirrored in x.
 
 mod based;
-mod file;
-mod keys;
+pub(crate) mod file;
+pub(crate) mod keys;
 mod layers;
 mod shipped;
 

@@ -1,5 +1,6 @@
 //! Other programs' files, bytes in and values out: no disk, no clock.
 
+pub mod chain_file;
 pub mod figure;
 pub mod glb;
 pub mod solid;

@@ -8,6 +8,7 @@ mod nodes;
 mod order;
 mod pose;
 mod reach;
+mod root;
 mod skin;
 mod solid;
 
@@ -23,6 +24,7 @@ pub use look::{Inertial, Paint, RobotLink, Shape, Visual};
 pub use nodes::RobotChain;
 pub use pose::{RobotDof, RobotPose};
 pub use reach::{RobotGoal, RobotReach};
+pub use root::RootMoves;
 pub use skin::RobotSkin;
 pub use solid::{STAND_IN, STAND_IN_EDGE_M, Solid, UNPAINTED};
 

@@ -3,13 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use interchange::chain_file::{self, ChainFile};
+use interchange::urdf::{figure_robot, write_robot};
 use rig::{Robot, RobotPose};
 use serde::Serialize;
 use serde_json::Value;
 
 use super::{print, say, write_json};
+use crate::disk::write_atomic;
 use crate::failure::Failure;
-use crate::load;
+use crate::load::{self, Kind};
 
 /// Where a link is in the root link's frame.
 #[derive(Serialize)]
@@ -60,13 +63,15 @@ struct RobotTold {
     joints: BTreeMap<String, JointTold>,
 }
 
-/// Tells where the links of a robot are at joint values, a JSON object of radians and metres by joint.
+/// Tells where the links of a robot are at joint values, a JSON object of radians and metres by joint. Without, a chain file's own
+/// values count.
 pub(super) fn inspect(path: &Path, json: bool, joints: Option<&str>) -> Result<(), Failure> {
-    let (robot, warnings) = load::robot(path)?;
+    let (chain, warnings) = load::chain(path)?;
     warn(path, &warnings);
+    let robot = chain.robot;
     let pose = match joints {
         Some(text) => given(&robot, text)?,
-        None => robot.rest(),
+        None => chain.pose,
     };
     let told = told(&robot, &pose);
     if json { write_json(&told, Path::new("-")) } else { print(&table(&robot, &told)) }
@@ -74,9 +79,39 @@ pub(super) fn inspect(path: &Path, json: bool, joints: Option<&str>) -> Result<(
 
 /// Checks the file of a robot and tells what is odd about it.
 pub(super) fn check(path: &Path) -> Result<(), Failure> {
-    let (_, warnings) = load::robot(path)?;
+    let (_, warnings) = load::chain(path)?;
     warn(path, &warnings);
     Ok(())
+}
+
+/// Writes a figure's skeleton, a robot or a chain as URDF or as a chain file.
+pub(super) fn convert(path: &Path, to: &Path) -> Result<(), Failure> {
+    let chain = match Kind::of(path)? {
+        Kind::Figure => {
+            let figure = load::figure(Some(path))?;
+            let robot =
+                figure_robot(&figure).map_err(|e| Failure::Input(format!("{}: {e}", path.display())))?;
+            ChainFile::of(robot)
+        }
+        Kind::Urdf | Kind::Chain => {
+            let (chain, warnings) = load::chain(path)?;
+            warn(path, &warnings);
+            chain
+        }
+        _ => {
+            let message = "this is converted to nothing; give a .figure.ron, .urdf or .chain.ron file";
+            return Err(Failure::Input(format!("{}: {message}", path.display())));
+        }
+    };
+    let text = match Kind::of(to)? {
+        Kind::Urdf => write_robot(&chain.robot),
+        Kind::Chain => chain_file::write(&ChainFile { urdf: None, ..chain }),
+        _ => {
+            let message = "a figure, a robot or a chain becomes a .urdf or a .chain.ron file";
+            return Err(Failure::Usage(format!("{}: {message}", to.display())));
+        }
+    };
+    write_atomic(to, text.as_bytes())
 }
 
 fn warn(path: &Path, warnings: &[String]) {

@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use edit::{ChainDocument, ChainEditor, ChainReport, chain_of_script, parse_chain_script, run_chain_script};
 
-use super::{Kind, at, robot};
-use crate::disk::read_text;
+use interchange::chain_file::ChainFile;
+use rig::Robot;
+
+use super::{Kind, at, chain, robot};
+use crate::disk::{read_text, write_atomic};
 use crate::failure::Failure;
 
 /// Whether a file shows a chain and not a figure.
@@ -15,7 +18,7 @@ use crate::failure::Failure;
 /// A file of no known kind, a script that can't be read.
 pub fn shows_chain(path: &Path) -> Result<bool, Failure> {
     Ok(match Kind::of(path)? {
-        Kind::Urdf => true,
+        Kind::Urdf | Kind::Chain => true,
         Kind::Script => chain_of_script(&read_text(path)?).is_some(),
         _ => false,
     })
@@ -33,7 +36,19 @@ pub fn chain_editor(path: &Path) -> Result<(ChainEditor, Vec<ChainReport>), Fail
                 log::warn!("{}: {warning}", path.display());
             }
             let rest = robot.rest();
-            Ok((ChainEditor::new(Arc::new(robot), &rest), Vec::new()))
+            let document = ChainDocument::of(Arc::new(robot), &rest).on_the_ground();
+            Ok((ChainEditor::of(document), Vec::new()))
+        }
+        Kind::Chain => {
+            let (file, warnings) = chain(path)?;
+            for warning in warnings {
+                log::warn!("{}: {warning}", path.display());
+            }
+            let document = ChainDocument::of(Arc::new(file.robot), &file.pose);
+            Ok((
+                ChainEditor::of(ChainDocument { world_from_root: file.world_from_root, ..document }),
+                Vec::new(),
+            ))
         }
         Kind::Script => script(path, None),
         _ => Err(Failure::Input(format!("{}: this shows no chain", path.display()))),
@@ -62,8 +77,21 @@ pub fn script(path: &Path, on: Option<&Path>) -> Result<(ChainEditor, Vec<ChainR
 ///
 /// # Errors
 /// A file that can't be written, or isn't called like a chain.
-pub fn save(_document: &ChainDocument, path: &Path) -> Result<(), Failure> {
-    Err(Failure::Input(format!("{}: chains can't be saved yet", path.display())))
+pub fn save(document: &ChainDocument, path: &Path) -> Result<(), Failure> {
+    let robot = Robot::clone(&document.robot);
+    let text = match Kind::of(path)? {
+        Kind::Chain => interchange::chain_file::write(&ChainFile {
+            pose: document.pose.clone(),
+            world_from_root: document.world_from_root,
+            ..ChainFile::of(robot)
+        }),
+        Kind::Urdf => interchange::urdf::write_robot(&robot),
+        _ => {
+            let message = "a chain is saved as .chain.ron or .urdf";
+            return Err(Failure::Input(format!("{}: {message}", path.display())));
+        }
+    };
+    write_atomic(path, text.as_bytes())
 }
 
 /// The file that another one names: from the same folder.

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use interchange::chain_file::ChainFile;
 use rig::{Robot, Solid};
 
+use super::Kind;
 use crate::disk::{MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 
@@ -22,6 +24,35 @@ pub fn robot(path: &Path) -> Result<(Robot, Vec<String>), Failure> {
         .map_err(|e| Failure::Input(format!("{}:{e}", path.display())))?;
     warnings.extend(fill(&mut robot, path));
     Ok((robot, warnings))
+}
+
+/// Reads a `*.chain.ron` file, the URDF file and the meshes that it names; a `*.urdf` file is a chain that stands free at the
+/// world's origin, and is kept as that file's.
+///
+/// Also returns warnings, as [`robot`] does.
+///
+/// # Errors
+/// A file at fault: where and why; one that is neither.
+pub fn chain(path: &Path) -> Result<(ChainFile, Vec<String>), Failure> {
+    match Kind::of(path)? {
+        Kind::Chain => {}
+        Kind::Urdf => {
+            let (robot, warnings) = robot(path)?;
+            let urdf = path.file_name().map(|name| name.to_string_lossy().into_owned());
+            return Ok((ChainFile { urdf, ..ChainFile::of(robot) }, warnings));
+        }
+        _ => {
+            let message = "this shows no chain; give a .chain.ron or .urdf file";
+            return Err(Failure::Input(format!("{}: {message}", path.display())));
+        }
+    }
+    let (mut chain, mut warnings) =
+        interchange::chain_file::read(&read_text(path)?, &mut super::beside(path))
+            .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
+    // Meshes are named from the file that names them.
+    let named = chain.urdf.as_ref().map(|urdf| path.with_file_name(urdf));
+    warnings.extend(fill(&mut chain.robot, named.as_deref().unwrap_or(path)));
+    Ok((chain, warnings))
 }
 
 /// Gives a robot the meshes that its file names; what could not be had is returned.

@@ -16,16 +16,22 @@ use super::{UrdfError, UrdfFault};
 /// The robot that a document describes.
 pub(super) fn robot(document: &Document<'_>, warnings: &mut Vec<String>) -> Result<Robot, UrdfError> {
     let file = &document.robot;
-    let paints = paints(&file.materials);
+    let paints = paints(file);
     let links = file.links.iter().map(|l| link(l, &paints, warnings)).collect();
     let joints = file.joints.iter().map(|j| joint(j, warnings)).collect();
     Robot::new(file.name.clone(), links, joints).map_err(|e| document.locate(UrdfFault::Robot(e)))
 }
 
-/// The colours that the file gives names.
-fn paints(materials: &[Material]) -> BTreeMap<&str, [f64; 4]> {
-    let colored = |m: &'_ Material| m.color.as_ref().map(|c| c.rgba.0);
-    materials.iter().filter_map(|m| Some((m.name.as_str(), colored(m)?))).collect()
+/// The colours that the file gives names: those of the robot, then those of links, the first of a name.
+fn paints(file: &urdf_rs::Robot) -> BTreeMap<&str, [f64; 4]> {
+    let own = file.links.iter().flat_map(|l| &l.visual).filter_map(|v| v.material.as_ref());
+    let mut paints = BTreeMap::new();
+    for material in file.materials.iter().chain(own) {
+        if let Some(color) = &material.color {
+            paints.entry(material.name.as_str()).or_insert(color.rgba.0);
+        }
+    }
+    paints
 }
 
 fn frame(pose: &Pose) -> Frame {
