@@ -369,3 +369,19 @@ fn a_chain_where_nothing_may_move_stays() {
         assert_eq!((solved.values, solved.reached), (start.clone(), false));
     }
 }
+
+#[test]
+fn slides_alone_go_as_far_as_they_must() {
+    let slide = |axis| Joint::Prismatic { axis, range: Interval::new(-3.0, 30.0) };
+    let mut chain = Chain::default();
+    for (i, axis) in DVec3::AXES.into_iter().enumerate() {
+        chain.append(Node::link(i.checked_sub(1), slide(axis), DVec3::ZERO)).unwrap();
+    }
+    let goal = Goal::tip(&chain, 2, root().point(DVec3::new(20.0, -2.5, 7.0))).unwrap();
+    for solver in [Solver::Best, Solver::DampedLeastSquares, Solver::Ccd, Solver::Fabrik] {
+        let options = Options { tolerance_m: 1e-6, ..by(solver, &chain) };
+        let solved = solve(&chain, &chain.rest(), &goal, &options);
+        assert!(solved.reached && solved.restarts == 0, "{solver:?} {}", solved.residual_m);
+        assert!((solved.values[1].amount().unwrap() + 2.5).abs() < 1e-5);
+    }
+}

@@ -6,17 +6,19 @@ use glam::{DQuat, DVec3};
 
 use super::linkage::Linkage;
 use super::{Joint, Value};
-use crate::{Frame, Interval};
+use crate::ball::rotation_vector;
+use crate::{Frame, Interval, axis_angle::scaled_axis};
 
 impl Linkage {
     /// One sweep. Never moves the point away from the target.
     pub(super) fn ccd_sweep(&self, state: &mut [Value], frames: &mut Vec<Frame>) {
         let mut point = self.forward(state, frames).position;
+        let most = TAU / self.movers.len() as f64;
         for k in (0..self.movers.len()).rev() {
             let frame = frames[k];
             let (from, to) = (point - frame.position, self.target - frame.position);
             let joint = self.movers[k].joint;
-            let moved = aimed(&joint, state[k], frame, from, to);
+            let moved = part_way(&joint, state[k], aimed(&joint, state[k], frame, from, to), most);
             if moved == state[k] {
                 continue;
             }
@@ -33,6 +35,24 @@ impl Linkage {
                 (point, state[k]) = (after, moved);
             }
         }
+    }
+}
+
+/// A turn by at most so many radians: else the tip of a long chain curls up before the rest has moved.
+fn part_way(joint: &Joint, from: Value, to: Value, most: f64) -> Value {
+    match (joint, from, to) {
+        (Joint::Revolute { .. }, Value::Amount(from), Value::Amount(to)) => {
+            Value::Amount(to.max(from - most).min(from + most))
+        }
+        (Joint::Ball { .. }, Value::Turn(from), Value::Turn(to)) => {
+            let turn = rotation_vector(from.conjugate() * to);
+            let angle = turn.length();
+            if angle <= most {
+                return Value::Turn(to);
+            }
+            joint.clamp(Value::Turn((from * scaled_axis(turn * (most / angle))).normalize()))
+        }
+        _ => to,
     }
 }
 

@@ -44,7 +44,7 @@ impl Linkage {
         let mut last = at.then(self.end).position;
         for k in (0..self.movers.len()).rev() {
             let here = places[k];
-            let length = self.length(k, here.distance(last), here.distance(places[k + 1]));
+            let length = self.drawn_length(k, here.distance(last), here.distance(places[k + 1]));
             let way = (here - places[k + 1]).try_normalize();
             last = here;
             if k > 0 {
@@ -54,7 +54,7 @@ impl Linkage {
     }
 
     /// A link's length while it is drawn: its own, or for a slide the nearest to what is wanted.
-    fn length(&self, k: usize, now: f64, wanted: f64) -> f64 {
+    fn drawn_length(&self, k: usize, now: f64, wanted: f64) -> f64 {
         let Joint::Prismatic { axis, range } = self.movers[k].joint else { return now };
         let next = self.next(k);
         let nearest = slid(axis, range.clamp(-axis.dot(next)), next);

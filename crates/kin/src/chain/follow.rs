@@ -22,7 +22,7 @@ impl Linkage {
         let mut end = self.forward(state, frames);
         let from = end.position;
         let links = self.movers.len().max(1) as f64;
-        let steps = (from.distance(goal.target) * links / self.size).ceil().clamp(1.0, MOST_STEPS);
+        let steps = (from.distance(goal.target) * links / self.length(state)).ceil().clamp(1.0, MOST_STEPS);
         for step in 1..=steps as usize {
             end = self.drawn_to(from.lerp(goal.target, step as f64 / steps), end, state, frames);
         }

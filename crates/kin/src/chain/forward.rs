@@ -94,22 +94,28 @@ impl Node {
     /// `world_from_node`; rotations that are the identity cost nothing.
     #[inline(always)]
     pub(super) fn carried(&self, world_from_parent: Frame, value: Value) -> Frame {
-        let position = if world_from_parent.rotation == DQuat::IDENTITY {
-            world_from_parent.position + self.origin.position
-        } else {
-            world_from_parent.point(self.origin.position)
-        };
-        let rotation = turned(world_from_parent.rotation, self.origin.rotation);
-        match (&self.joint, value) {
-            (Joint::Ball { .. }, Value::Turn(q)) => Frame::new(turned(rotation, q), position),
-            (Joint::Revolute { axis, .. }, Value::Amount(angle)) if angle != 0.0 => {
-                Frame::new(rotation * axis_angle(*axis, angle), position)
-            }
-            (Joint::Prismatic { axis, .. }, Value::Amount(way)) => {
-                Frame::new(rotation, position + rotation * (*axis * way))
-            }
-            _ => Frame::new(rotation, position),
+        carried(world_from_parent, &self.origin, &self.joint, value)
+    }
+}
+
+/// The frame behind a joint; rotations that are the identity cost nothing.
+#[inline(always)]
+pub(super) fn carried(world_from_parent: Frame, origin: &Frame, joint: &Joint, value: Value) -> Frame {
+    let position = if world_from_parent.rotation == DQuat::IDENTITY {
+        world_from_parent.position + origin.position
+    } else {
+        world_from_parent.point(origin.position)
+    };
+    let rotation = turned(world_from_parent.rotation, origin.rotation);
+    match (joint, value) {
+        (Joint::Ball { .. }, Value::Turn(q)) => Frame::new(turned(rotation, q), position),
+        (Joint::Revolute { axis, .. }, Value::Amount(angle)) if angle != 0.0 => {
+            Frame::new(rotation * axis_angle(*axis, angle), position)
         }
+        (Joint::Prismatic { axis, .. }, Value::Amount(way)) => {
+            Frame::new(rotation, position + rotation * (*axis * way))
+        }
+        _ => Frame::new(rotation, position),
     }
 }
 

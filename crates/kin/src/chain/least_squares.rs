@@ -30,10 +30,21 @@ struct Column {
     stopped: bool,
 }
 
+/// A ball without range: its three freedoms need no columns.
+#[derive(Clone, Copy, Debug)]
+struct Free {
+    mover: usize,
+    /// From the joint to the point, metres.
+    lever: DVec3,
+    /// The turn to take, a rotation vector in the world.
+    step: DVec3,
+}
+
 /// The room that a search needs, used again from step to step.
 #[derive(Default)]
 pub(super) struct Scratch {
     columns: Vec<Column>,
+    free: Vec<Free>,
     frames: Vec<Frame>,
     trial: Vec<Value>,
     trial_frames: Vec<Frame>,
@@ -60,8 +71,8 @@ impl Linkage {
             if idle >= 4 || damping > 1e6 || !run.spend() {
                 return false;
             }
-            self.steps(gap.way, gap.turn, damping, &mut room.columns);
-            self.moved(state, &room.columns, &room.frames, &mut room.trial);
+            self.steps(gap.way, gap.turn, damping, room);
+            self.moved(state, room);
             let next = self.gap(self.forward(&room.trial, &mut room.trial_frames));
             let next_cost = self.cost(&next);
             if next_cost < cost {
@@ -81,6 +92,8 @@ impl Linkage {
     /// Fills in the degrees of freedom of a state whose frames are known.
     fn columns(&self, state: &[Value], room: &mut Scratch, way: DVec3) {
         room.columns.clear();
+        room.free.clear();
+        room.free.reserve(state.len());
         let end = self.target - way;
         for (k, (mover, &value)) in self.movers.iter().zip(state).enumerate() {
             let frame = room.frames[k];
@@ -98,9 +111,7 @@ impl Linkage {
                     add(does, (range.min - x) / self.size, (range.max - x) / self.size);
                 }
                 (Joint::Ball { range: None }, Value::Turn(_)) => {
-                    for axis in DVec3::AXES {
-                        add(turn(axis), f64::NEG_INFINITY, f64::INFINITY);
-                    }
+                    room.free.push(Free { mover: k, lever, step: DVec3::ZERO });
                 }
                 (Joint::Ball { range: Some(range) }, Value::Turn(q)) => {
                     let world_from_joint = frame.rotation * q.conjugate();
@@ -119,63 +130,85 @@ impl Linkage {
     }
 
     /// Sets the steps that close a gap best.
-    fn steps(&self, way: DVec3, turn: DVec3, damping: f64, columns: &mut [Column]) {
+    fn steps(&self, way: DVec3, turn: DVec3, damping: f64, room: &mut Scratch) {
         let turn = turn * self.arm();
         let mut gap = [way.x, way.y, way.z, turn.x, turn.y, turn.z];
-        let rows = if self.rotation.is_some() { 6 } else { 3 };
+        let Scratch { columns, free, .. } = room;
         for column in &mut *columns {
             column.stopped = column.min >= column.max;
             column.step = 0.0;
         }
+        let balls = self.balls(free);
+        let mut y = [0.0; 6];
         for _ in 0..ROUNDS {
-            let y = if rows == 3 {
-                damped::<3>(columns, &gap, damping)
+            y = if self.rotation.is_some() {
+                damped::<6>(columns, &balls, &gap, damping)
             } else {
-                damped::<6>(columns, &gap, damping)
+                damped::<3>(columns, &balls, &gap, damping)
             };
-            let mut stopped = false;
-            for column in columns.iter_mut().filter(|column| !column.stopped) {
-                let step: f64 = column.does.iter().zip(&y).map(|(a, b)| a * b).sum();
-                column.step = step.max(column.min).min(column.max);
-                if column.step != step {
-                    column.stopped = true;
-                    stopped = true;
-                    for (missing, does) in gap.iter_mut().zip(&column.does) {
-                        *missing -= does * column.step;
-                    }
-                }
-            }
-            if !stopped {
+            if !stop(columns, &y, &mut gap) {
                 break;
             }
         }
+        let (way, turn) = (DVec3::new(y[0], y[1], y[2]), DVec3::new(y[3], y[4], y[5]) * self.arm());
+        for ball in &mut *free {
+            ball.step = ball.lever.cross(way) + turn;
+        }
         let widest = columns.iter().fold(0.0_f64, |widest, column| widest.max(column.step.abs()));
+        let widest = free.iter().fold(widest, |widest, ball| widest.max(ball.step.length()));
         if widest > STRIDE_RAD {
             columns.iter_mut().for_each(|column| column.step *= STRIDE_RAD / widest);
+            free.iter_mut().for_each(|ball| ball.step *= STRIDE_RAD / widest);
         }
     }
 
+    /// `J Jᵀ` of the balls without range, the lower half: a turn about any axis moves the point by `axis x lever`.
+    fn balls(&self, free: &[Free]) -> [[f64; 6]; 6] {
+        let mut a = [[0.0; 6]; 6];
+        let arm = self.arm();
+        for Free { lever: r, .. } in free {
+            a[0][0] += r.y * r.y + r.z * r.z;
+            a[1][0] -= r.x * r.y;
+            a[1][1] += r.x * r.x + r.z * r.z;
+            a[2][0] -= r.x * r.z;
+            a[2][1] -= r.y * r.z;
+            a[2][2] += r.x * r.x + r.y * r.y;
+            if self.rotation.is_some() {
+                for (row, axis) in DVec3::AXES.into_iter().enumerate() {
+                    let turn = axis.cross(*r) * arm;
+                    for (sum, value) in a[3 + row].iter_mut().zip(turn.to_array()) {
+                        *sum += value;
+                    }
+                    a[3 + row][3 + row] += arm * arm;
+                }
+            }
+        }
+        a
+    }
+
     /// Writes the state after the steps.
-    fn moved(&self, state: &[Value], columns: &[Column], frames: &[Frame], out: &mut Vec<Value>) {
-        out.clear();
-        out.extend_from_slice(state);
-        let mut rest = columns;
+    fn moved(&self, state: &[Value], room: &mut Scratch) {
+        let Scratch { columns, free, frames, trial, .. } = room;
+        trial.clear();
+        trial.extend_from_slice(state);
+        for ball in &*free {
+            if let Value::Turn(q) = state[ball.mover] {
+                let in_node = frames[ball.mover].rotation.conjugate() * ball.step;
+                trial[ball.mover] = Value::Turn((q * scaled_axis(in_node)).normalize());
+            }
+        }
+        let mut rest = &columns[..];
         while let Some(first) = rest.first() {
             let k = first.mover;
             let many = if matches!(self.movers[k].joint, Joint::Ball { .. }) { 3 } else { 1 };
             let (now, after) = rest.split_at(many);
             rest = after;
-            out[k] = match (self.movers[k].joint, state[k]) {
+            trial[k] = match (self.movers[k].joint, state[k]) {
                 (Joint::Revolute { range, .. }, Value::Amount(x)) => {
                     Value::Amount(range.clamp(x + now[0].step))
                 }
                 (Joint::Prismatic { range, .. }, Value::Amount(x)) => {
                     Value::Amount(range.clamp(x + now[0].step * self.size))
-                }
-                (Joint::Ball { range: None }, Value::Turn(q)) => {
-                    let turn = DVec3::new(now[0].step, now[1].step, now[2].step);
-                    let in_node = frames[k].rotation.conjugate() * turn;
-                    Value::Turn((q * scaled_axis(in_node)).normalize())
                 }
                 (Joint::Ball { range: Some(range) }, Value::Turn(q)) => Value::Turn(
                     Swing::of(&range, q).moved(&range, q, [now[0].step, now[1].step, now[2].step]),
@@ -184,6 +217,23 @@ impl Linkage {
             };
         }
     }
+}
+
+/// Sets the steps of columns that are not stopped, and stops those that come to an end of their range: what they do is taken off the gap. Says whether any did.
+fn stop(columns: &mut [Column], y: &[f64; 6], gap: &mut [f64; 6]) -> bool {
+    let mut any = false;
+    for column in columns.iter_mut().filter(|column| !column.stopped) {
+        let step: f64 = column.does.iter().zip(y).map(|(a, b)| a * b).sum();
+        column.step = step.max(column.min).min(column.max);
+        if column.step != step {
+            column.stopped = true;
+            any = true;
+            for (missing, does) in gap.iter_mut().zip(&column.does) {
+                *missing -= does * column.step;
+            }
+        }
+    }
+    any
 }
 
 /// Where a ball joint with a range is: the bone's direction and the twist, with the ways that leave each other alone.
@@ -260,8 +310,16 @@ impl Swing {
 }
 
 /// `y` of `(J Jᵀ + mu I) y = gap` over the columns that may move; the first `N` rows.
-fn damped<const N: usize>(columns: &[Column], gap: &[f64; 6], damping: f64) -> [f64; 6] {
+fn damped<const N: usize>(
+    columns: &[Column],
+    balls: &[[f64; 6]; 6],
+    gap: &[f64; 6],
+    damping: f64,
+) -> [f64; 6] {
     let mut a = [[0.0; N]; N];
+    for (row, ball) in a.iter_mut().zip(balls) {
+        row.copy_from_slice(&ball[..N]);
+    }
     for column in columns.iter().filter(|column| !column.stopped) {
         for (i, row) in a.iter_mut().enumerate() {
             for (j, sum) in row[..=i].iter_mut().enumerate() {

@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::fabrik::slid;
+use super::forward::carried;
 use super::goal::{Goal, Options};
 use super::{Chain, Joint, Value};
 use crate::Frame;
@@ -27,7 +28,7 @@ pub(super) struct Linkage {
     pub end: Frame,
     pub target: DVec3,
     pub rotation: Option<DQuat>,
-    /// The length from the first mover to the point as it is stretched at the start's slides, metres: weighs turns against slides.
+    /// The length at the start, or the way to the target if that is more, metres: weighs turns against slides.
     pub size: f64,
     pub tolerance_m: f64,
     pub tolerance_rad: f64,
@@ -52,8 +53,8 @@ impl Linkage {
         goal: &Goal,
         options: &Options,
     ) -> (Linkage, Vec<Value>) {
-        let mut movers = Vec::new();
-        let mut state = Vec::new();
+        let mut movers = Vec::with_capacity(path.len());
+        let mut state = Vec::with_capacity(path.len());
         let mut rigid = world_from_root;
         for &i in path {
             let (node, value) = (&chain.nodes[i], values[i]);
@@ -76,16 +77,15 @@ impl Linkage {
             tolerance_m: options.tolerance_m,
             tolerance_rad: options.tolerance_rad,
         };
-        linkage.size = linkage.segments(&state).sum::<f64>().max(options.tolerance_m);
+        let way = linkage.end_at(&state).position.distance(goal.target);
+        linkage.size = linkage.length(&state).max(way).max(options.tolerance_m);
         (linkage, state)
     }
 
-    /// The lengths from each mover's joint to the next, or to the end, at those slides.
-    fn segments<'a>(&'a self, state: &'a [Value]) -> impl Iterator<Item = f64> + 'a {
-        (0..self.movers.len()).map(|k| {
-            let slide = self.movers[k].joint.frame(state[k]).position;
-            (slide + self.next(k)).length()
-        })
+    /// From the first joint along all joints to the end, at those slides, metres.
+    pub(super) fn length(&self, state: &[Value]) -> f64 {
+        let slide = |k: usize| self.movers[k].joint.frame(state[k]).position;
+        (0..self.movers.len()).map(|k| (slide(k) + self.next(k)).length()).sum()
     }
 
     /// The next joint's place, or the end's, in the frame of a mover.
@@ -96,6 +96,7 @@ impl Linkage {
     /// Writes the frame of every mover and returns that of the end.
     pub(super) fn forward(&self, state: &[Value], frames: &mut Vec<Frame>) -> Frame {
         frames.clear();
+        frames.reserve(state.len());
         let mut at = Frame::IDENTITY;
         for (mover, &value) in self.movers.iter().zip(state) {
             at = mover.world_from_mover(at, value);
@@ -160,6 +161,6 @@ impl Linkage {
 impl Mover {
     #[inline(always)]
     fn world_from_mover(&self, world_from_before: Frame, value: Value) -> Frame {
-        world_from_before.then(self.origin).then(self.joint.frame(value))
+        carried(world_from_before, &self.origin, &self.joint, value)
     }
 }
