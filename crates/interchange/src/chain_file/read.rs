@@ -312,7 +312,7 @@ impl Reader<'_> {
             }
             (Some(shape), None) => visuals.push(visual(shape, tip, Frame::IDENTITY, looks.color)),
             (None, None) if tip != DVec3::ZERO => {
-                visuals.push(visual(&ShapeFile::Rod(ROD * tip.length()), tip, Frame::IDENTITY, looks.color));
+                visuals.push(visual(&ShapeFile::Rod(rod(tip)), tip, Frame::IDENTITY, looks.color));
             }
             (None, None) => {}
         }
@@ -385,6 +385,11 @@ fn visual(shape: &ShapeFile, tip: DVec3, at: Frame, color: Option<Three>) -> Vis
     };
     let paint = color.map(|(r, g, b)| Paint { name: String::new(), rgba: [r, g, b, 1.0] });
     Visual { name: None, link_from_visual: frame, shape, paint }
+}
+
+/// How thick a rod is that the file doesn't describe, in whole micrometres.
+fn rod(tip: DVec3) -> f64 {
+    (ROD * tip.length() * 1e6).round() / 1e6
 }
 
 /// The frame of a rod from a link's origin to its tip.

@@ -49,8 +49,15 @@ fn origin(frame: &Frame) -> String {
     if *frame == Frame::IDENTITY {
         return String::new();
     }
-    let rpy = rpy_of_rotation(frame.rotation);
+    let rpy = rpy_of_rotation(frame.rotation).map(plain);
     format!("<origin xyz=\"{}\" rpy=\"{}\"/>", numbers(&frame.position.to_array()), numbers(&rpy))
+}
+
+/// An angle without the rounding of quaternions: whole degrees are whole, others have 14 places.
+fn plain(rad: f64) -> f64 {
+    let degrees = rad.to_degrees();
+    let whole = degrees.round();
+    if (degrees - whole).abs() < 1e-11 { whole.to_radians() } else { (rad * 1e14).round() / 1e14 }
 }
 
 fn line(text: &mut String, indent: usize, content: &str) {
