@@ -113,6 +113,23 @@ fn a_turn_ends_at_the_range_and_from_outside_goes_only_inward() {
 }
 
 #[test]
+fn a_turn_of_nothing_keeps_what_is_outside_its_range() {
+    let mut seeded = Seeded(56);
+    for _ in 0..5000 {
+        let joint = joint(&mut seeded);
+        let chain = Chain::new(vec![Node::link(None, joint, DVec3::X)]).unwrap();
+        let mut pose = values(&chain, &mut seeded);
+        let before = pose[0];
+        let nothing = joint.rest();
+        chain.turn(&mut pose, 0, nothing).unwrap();
+        match (before, pose[0]) {
+            (Value::Turn(a), Value::Turn(b)) => assert!(a.dot(b).abs() > 1.0 - 1e-12, "{a} {b}"),
+            (a, b) => assert_eq!(a, b),
+        }
+    }
+}
+
+#[test]
 fn a_clamped_ball_is_in_range_and_one_in_range_keeps_its_bits() {
     let mut seeded = Seeded(53);
     for _ in 0..20_000 {

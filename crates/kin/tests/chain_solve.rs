@@ -385,3 +385,68 @@ fn slides_alone_go_as_far_as_they_must() {
         assert!((solved.values[1].amount().unwrap() + 2.5).abs() < 1e-5);
     }
 }
+
+#[test]
+fn a_target_that_moves_slowly_turns_the_joints_slowly() {
+    let mut jumps: Vec<f64> = Vec::new();
+    for seed in 0..200 {
+        let mut seeded = Seeded(seed);
+        let kind = [Kind::Balls, Kind::Planar, Kind::Mixed][seed as usize % 3];
+        let chain = line(&mut seeded, kind, 10, seed % 2 == 0);
+        let start = pose(&mut seeded, &chain);
+        let goal = goal_of(&chain, &start, root());
+        let way = match kind {
+            Kind::Planar => root().rotation * (DQuat::from_rotation_z(seeded.between(-3.0, 3.0)) * DVec3::X),
+            _ => seeded.direction(),
+        };
+        let mut last = start.clone();
+        let mut worst = 0.0_f64;
+        for step in 1..=100 {
+            let target = goal.target + way * (2e-3 * f64::from(step) * chain.length());
+            let solved = solve(&chain, &start, &Goal { target, ..goal }, &by(Solver::Best, &chain));
+            if !solved.reached {
+                break;
+            }
+            worst = worst.max(change(&last, &solved.values));
+            last = solved.values;
+        }
+        jumps.push(worst);
+    }
+    jumps.sort_by(f64::total_cmp);
+    // Two thousandths of the length a step. Beyond the ninth tenth, ranges stop a joint and the chain leaps.
+    assert!(jumps[100] < 0.01 && jumps[180] < 0.04, "{} {} rad", jumps[100], jumps[180]);
+}
+
+#[test]
+fn a_joint_that_starts_outside_its_range_is_not_thrown_inside() {
+    let hinge = |i: usize| Joint::Revolute {
+        axis: DVec3::Z,
+        range: if i == 2 { Interval::new(-1.0, 1.0) } else { Interval::FREE },
+    };
+    let mut chain = Chain::default();
+    for i in 0..5_usize {
+        chain.append(Node::link(i.checked_sub(1), hinge(i), DVec3::X)).unwrap();
+    }
+    let start: Vec<Value> = [0.3, 0.5, 2.0, -0.4, 0.6].map(Value::Amount).to_vec();
+    let mut goal = goal_of(&chain, &start, root());
+    goal.target += root().rotation * DVec3::new(0.03, 0.02, 0.0);
+    for solver in [Solver::Best, Solver::DampedLeastSquares, Solver::Ccd] {
+        let solved = solve(&chain, &start, &goal, &by(solver, &chain));
+        assert!(solved.reached && change(&start, &solved.values) < 0.1, "{solver:?}: {:?}", solved.values);
+        assert!(solved.values[2].amount().unwrap() <= 2.0);
+    }
+}
+
+#[test]
+fn no_solver_needs_another_start_for_a_long_rope() {
+    let mut seeded = Seeded(13);
+    let chain = rope(100);
+    for _ in 0..100 {
+        let target = root().position + seeded.direction() * seeded.between(0.2, 0.95);
+        let goal = Goal::tip(&chain, 99, target).unwrap();
+        for solver in [Solver::Ccd, Solver::Fabrik] {
+            let solved = solve(&chain, &chain.rest(), &goal, &by(solver, &chain));
+            assert!(solved.reached && solved.restarts == 0, "{solver:?}: {}", solved.iterations);
+        }
+    }
+}
