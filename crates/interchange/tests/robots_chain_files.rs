@@ -161,6 +161,14 @@ fn faults_say_what_and_where() {
 }
 
 #[test]
+fn the_chain_of_the_guide_is_one() {
+    let guide = include_str!("../../../docs/guide/files.md");
+    let example = guide.split("```ron chain\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let (lamp, warnings) = chain(example);
+    assert_eq!((lamp.robot.links().len(), lamp.planar, warnings.len()), (4, true, 0));
+}
+
+#[test]
 fn a_planar_chain_that_leaves_its_plane_is_told() {
     let (_, warnings) = chain(&LAMP.replace("\"upper\": (", "\"upper\": (axis: (1, 0, 0), "));
     assert_eq!(
