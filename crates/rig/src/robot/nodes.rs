@@ -1,6 +1,6 @@
 //! A robot as a chain of nodes, for solvers.
 
-use glam::{DQuat, DVec3, Vec3};
+use glam::{DQuat, DVec3};
 use kin::chain::{Chain, ChainError, Joint, Node, Value};
 use kin::{Frame, Interval};
 
@@ -122,10 +122,10 @@ impl Robot {
     fn far_end(&self, link: usize) -> DVec3 {
         let mut corners = Vec::new();
         for visual in self.links.get(link).map_or(&[][..], |l| &l.visuals) {
-            let Some([low, high]) = visual.solid().bounds() else { continue };
+            let Some([low, high]) = visual.bounds() else { continue };
             for i in 0..8 {
                 let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-                let corner = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
+                let corner = DVec3::new(pick(0), pick(1), pick(2));
                 corners.push(visual.link_from_visual.point(corner));
             }
         }

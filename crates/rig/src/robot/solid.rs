@@ -161,6 +161,22 @@ impl Solid {
 }
 
 impl Visual {
+    /// The smallest box along its own axes that holds it, lowest and highest corner, metres; `None` if nothing is seen of it.
+    pub fn bounds(&self) -> Option<[DVec3; 2]> {
+        let half = match &self.shape {
+            Shape::Box(edges) => edges.abs() / 2.0,
+            Shape::Cylinder { radius, length } => DVec3::new(*radius, *radius, length / 2.0),
+            Shape::Capsule { radius, length } => DVec3::new(*radius, *radius, length / 2.0 + radius),
+            Shape::Sphere(radius) => DVec3::splat(*radius),
+            Shape::Mesh { scale, solid: Some(solid), .. } => {
+                let [a, b] = solid.bounds()?.map(|corner| corner.as_dvec3() * *scale);
+                return Some([a.min(b), a.max(b)]);
+            }
+            Shape::Mesh { solid: None, .. } => DVec3::splat(STAND_IN_EDGE_M / 2.0),
+        };
+        Some([-half, half])
+    }
+
     /// Its triangles in its own frame. A mesh that could not be had is an orange box of 5 cm.
     pub fn solid(&self) -> Solid {
         let own = self.paint.as_ref().map(super::Paint::linear_rgb);
@@ -196,8 +212,12 @@ mod tests {
     #[test]
     fn shapes_hold_their_volume_and_face_outward() {
         let about = |shape, expected: f64| {
-            let solid = visual(shape).solid();
+            let visual = visual(shape);
+            let solid = visual.solid();
             assert_eq!(solid.fault(), None);
+            let [low, high] = solid.bounds().unwrap();
+            let [lowest, highest] = visual.bounds().unwrap().map(DVec3::as_vec3);
+            assert!(low.abs_diff_eq(lowest, 1e-6) && high.abs_diff_eq(highest, 1e-6), "{low} {high}");
             let found = volume(&solid);
             assert!((found / expected - 1.0).abs() < 0.02, "{found} instead of {expected}");
             for (p, n) in solid.positions.iter().zip(&solid.normals) {
