@@ -192,7 +192,7 @@ fn run_on_chain(
 ) -> Result<(), Failure> {
     let (editor, reports) = load::chain_script(path, on)?;
     if let Some(save) = save {
-        load::save_chain(editor.document(), save)?;
+        load::save_chain(editor.document(), load::chain_of(path, on)?.as_deref(), save)?;
     }
     match report {
         Some(to) => write_json(&reports, to),
@@ -220,7 +220,9 @@ fn inspect(file: &Path, json: bool, joints: Option<&str>, figure: Option<&Path>)
     match (Kind::of(file)?, joints) {
         (Kind::Urdf | Kind::Chain, _) => return robots::inspect(file, json, joints),
         (_, Some(_)) => {
-            return Err(Failure::Usage("--joints: only robots have such joints, *.urdf and *.chain.ron".to_owned()));
+            return Err(Failure::Usage(
+                "--joints: only robots have such joints, *.urdf and *.chain.ron".to_owned(),
+            ));
         }
         _ => {}
     }

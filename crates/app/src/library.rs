@@ -4,6 +4,7 @@
 //! command, so that a script means the same on every machine; the user's own are named by their real path.
 
 mod cache;
+pub mod chains;
 pub mod entry;
 mod folder;
 mod index;

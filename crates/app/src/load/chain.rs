@@ -1,16 +1,17 @@
-//! Chains from the files that show one: URDF, chain files, scripts that name a chain.
+//! Chains from the files that show one, and back: URDF, chain files, scripts that name a chain.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use edit::{ChainDocument, ChainEditor, ChainReport, chain_of_script, parse_chain_script, run_chain_script};
-
 use interchange::chain_file::ChainFile;
 use rig::Robot;
 
-use super::{Kind, at, chain, robot};
+use super::relative::renamed;
+use super::{Kind, at, chain};
 use crate::disk::{read_text, write_atomic};
 use crate::failure::Failure;
+use crate::library::chains;
 
 /// Whether a file shows a chain and not a figure.
 ///
@@ -24,35 +25,43 @@ pub fn shows_chain(path: &Path) -> Result<bool, Failure> {
     })
 }
 
-/// An editor that shows the chain of a file, and the records of a script's commands.
+/// An editor that shows the chain of a file, and the records of a script's commands. What is odd about the file is logged.
 ///
 /// # Errors
 /// A file at fault: where and why; one that shows no chain.
 pub fn chain_editor(path: &Path) -> Result<(ChainEditor, Vec<ChainReport>), Failure> {
-    match Kind::of(path)? {
-        Kind::Urdf => {
-            let (robot, warnings) = robot(path)?;
-            for warning in warnings {
-                log::warn!("{}: {warning}", path.display());
-            }
-            let rest = robot.rest();
-            let document = ChainDocument::of(Arc::new(robot), &rest).on_the_ground();
-            Ok((ChainEditor::of(document), Vec::new()))
-        }
-        Kind::Chain => {
-            let (file, warnings) = chain(path)?;
-            for warning in warnings {
-                log::warn!("{}: {warning}", path.display());
-            }
-            let document = ChainDocument::of(Arc::new(file.robot), &file.pose);
-            Ok((
-                ChainEditor::of(ChainDocument { world_from_root: file.world_from_root, ..document }),
-                Vec::new(),
-            ))
-        }
-        Kind::Script => script(path, None),
-        _ => Err(Failure::Input(format!("{}: this shows no chain", path.display()))),
+    if Kind::of(path)? == Kind::Script {
+        return script(path, None);
     }
+    let (editor, warnings) = open_chain(path)?;
+    for warning in warnings {
+        log::warn!("{}: {warning}", path.display());
+    }
+    Ok((editor, Vec::new()))
+}
+
+/// An editor that shows the chain of a chain file or a URDF, and what is odd about the file but does no harm.
+///
+/// # Errors
+/// A file at fault: where and why; one that is neither.
+pub fn open_chain(path: &Path) -> Result<(ChainEditor, Vec<String>), Failure> {
+    let (file, warnings) = chain(path)?;
+    // Meshes are named from the robot's file, which may be in another folder than the chain's.
+    let robot = match file.urdf.as_deref().map(Path::new).and_then(Path::parent) {
+        Some(folder) if folder != Path::new("") => {
+            file.robot.with_mesh_files(|name| renamed(name, |name| folder.join(name)))
+        }
+        _ => file.robot,
+    };
+    let document = ChainDocument {
+        world_from_root: file.world_from_root,
+        root: file.root,
+        planar: file.planar,
+        urdf: file.urdf,
+        ..ChainDocument::of(Arc::new(robot), &file.pose)
+    };
+    let stands = Kind::of(path)? == Kind::Chain;
+    Ok((ChainEditor::of(if stands { document } else { document.on_the_ground() }), warnings))
 }
 
 /// What a script makes of its chain, or of the one of another file.
@@ -61,10 +70,7 @@ pub fn chain_editor(path: &Path) -> Result<(ChainEditor, Vec<ChainReport>), Fail
 /// As [`chain_editor`].
 pub fn script(path: &Path, on: Option<&Path>) -> Result<(ChainEditor, Vec<ChainReport>), Failure> {
     let script = parse_chain_script(&read_text(path)?).map_err(|fault| at(path, &fault))?;
-    let chain = match on {
-        Some(on) => on.to_owned(),
-        None => beside(path, &script.chain),
-    };
+    let chain = on.map_or_else(|| beside(path, &script.chain), Path::to_owned);
     if Kind::of(&chain)? == Kind::Script {
         return Err(Failure::Input(format!("{}: a script is no chain to start from", chain.display())));
     }
@@ -73,28 +79,49 @@ pub fn script(path: &Path, on: Option<&Path>) -> Result<(ChainEditor, Vec<ChainR
     Ok((editor, reports))
 }
 
-/// Saves a chain, whole or not at all.
+/// The file of the chain on which a script runs.
+///
+/// # Errors
+/// The script can't be read.
+pub fn chain_of(path: &Path, on: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
+    match on {
+        Some(on) => Ok(Some(on.to_owned())),
+        None => Ok(chain_of_script(&read_text(path)?).map(|name| beside(path, &name))),
+    }
+}
+
+/// Saves a chain that was read from some file, whole or not at all. The files that it names are named from its new place.
 ///
 /// # Errors
 /// A file that can't be written, or isn't called like a chain.
-pub fn save(document: &ChainDocument, path: &Path) -> Result<(), Failure> {
-    let robot = Robot::clone(&document.robot);
-    let text = match Kind::of(path)? {
+pub fn save(document: &ChainDocument, from: Option<&Path>, to: &Path) -> Result<(), Failure> {
+    let moved = |name: &str| match from {
+        Some(from) => super::relative::moved(name, from, to),
+        None => name.to_owned(),
+    };
+    let robot = Robot::clone(&document.robot).with_mesh_files(moved);
+    let text = match Kind::of(to)? {
         Kind::Chain => interchange::chain_file::write(&ChainFile {
+            robot,
             pose: document.pose.clone(),
             world_from_root: document.world_from_root,
-            ..ChainFile::of(robot)
+            root: document.root,
+            planar: document.planar,
+            urdf: document.urdf.as_deref().map(moved),
         }),
         Kind::Urdf => interchange::urdf::write_robot(&robot),
         _ => {
             let message = "a chain is saved as .chain.ron or .urdf";
-            return Err(Failure::Input(format!("{}: {message}", path.display())));
+            return Err(Failure::Input(format!("{}: {message}", to.display())));
         }
     };
-    write_atomic(path, text.as_bytes())
+    write_atomic(to, text.as_bytes())
 }
 
-/// The file that another one names: from the same folder.
+/// The file that another one names: a shipped one, or from the same folder.
 fn beside(path: &Path, name: &str) -> PathBuf {
-    path.parent().map_or_else(|| PathBuf::from(name), |folder| folder.join(name))
+    match chains::is_shipped(name) {
+        true => PathBuf::from(name),
+        false => path.parent().map_or_else(|| PathBuf::from(name), |folder| folder.join(name)),
+    }
 }

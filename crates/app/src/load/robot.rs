@@ -9,6 +9,7 @@ use rig::{Robot, Solid};
 use super::Kind;
 use crate::disk::{MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
+use crate::library::chains;
 
 /// How many folders above a robot's own are searched for its meshes.
 const LEVELS: usize = 6;
@@ -20,7 +21,7 @@ const LEVELS: usize = 6;
 /// # Errors
 /// A file at fault: where and why.
 pub fn robot(path: &Path) -> Result<(Robot, Vec<String>), Failure> {
-    let (mut robot, mut warnings) = interchange::urdf::read_robot(&read_text(path)?)
+    let (mut robot, mut warnings) = interchange::urdf::read_robot(&text_of(path)?)
         .map_err(|e| Failure::Input(format!("{}:{e}", path.display())))?;
     warnings.extend(fill(&mut robot, path));
     Ok((robot, warnings))
@@ -47,16 +48,45 @@ pub fn chain(path: &Path) -> Result<(ChainFile, Vec<String>), Failure> {
         }
     }
     let (mut chain, mut warnings) =
-        interchange::chain_file::read(&read_text(path)?, &mut super::beside(path))
+        interchange::chain_file::read(&text_of(path)?, &mut |name| near(path, name))
             .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
     // Meshes are named from the file that names them.
-    let named = chain.urdf.as_ref().map(|urdf| path.with_file_name(urdf));
+    let shipped = chains::is_shipped(&path.to_string_lossy());
+    let named = chain.urdf.as_ref().filter(|_| !shipped).map(|urdf| path.with_file_name(urdf));
     warnings.extend(fill(&mut chain.robot, named.as_deref().unwrap_or(path)));
     Ok((chain, warnings))
 }
 
+/// The text of a file, which may be a shipped one.
+fn text_of(path: &Path) -> Result<String, Failure> {
+    match chains::bytes(&path.to_string_lossy()) {
+        Some(found) => found.map(|bytes| String::from_utf8_lossy(bytes).into_owned()).map_err(Failure::Input),
+        None => read_text(path),
+    }
+}
+
+/// The bytes of a file that another one names from its folder.
+fn near(path: &Path, name: &str) -> Result<Vec<u8>, String> {
+    match chains::bytes(&path.to_string_lossy()) {
+        Some(_) => shipped(name),
+        None => super::beside(path)(name),
+    }
+}
+
+/// The bytes of a shipped file by its name among them.
+fn shipped(name: &str) -> Result<Vec<u8>, String> {
+    chains::bytes(&format!("{}{name}", crate::library::shipped::PREFIX))
+        .unwrap_or_else(|| Err(format!("{name}: no shipped file")))
+        .map(<[u8]>::to_vec)
+}
+
 /// Gives a robot the meshes that its file names; what could not be had is returned.
 fn fill(robot: &mut Robot, path: &Path) -> Vec<String> {
+    if chains::is_shipped(&path.to_string_lossy()) {
+        return robot.fill_meshes(&mut |file| {
+            interchange::solid::read(file, &shipped(file)?, &mut |name| shipped(name)).map(Arc::new)
+        });
+    }
     let folder = path.parent().map(Path::to_owned).unwrap_or_default();
     robot.fill_meshes(&mut |file| mesh(&folder, file).map(Arc::new))
 }

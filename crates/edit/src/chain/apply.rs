@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use kin::Interval;
-use rig::{ChangeError, DofPart, Frame, NewLink, Robot, RobotGoal, RobotJointKind};
+use kin::chain::Root;
+use rig::{ChangeError, DofPart, Frame, NewLink, Robot, RobotGoal, RobotJointKind, RootMoves};
 
 use super::command::{ChainCommand, ChainGoal, ChainPart};
 use super::document::{ChainDocument, ChainOutcome, ChainReach};
@@ -147,7 +148,8 @@ fn reach(document: &ChainDocument, command: &ChainCommand) -> Applied {
         point,
         target,
         rotation: *rotation,
-        root: (*root).into(),
+        // What may not be placed anywhere can't be drawn along either.
+        root: if document.root == RootMoves::Free { (*root).into() } else { Root::Held },
         solver: (*solver).into(),
         ranges: document.ranges,
     };
@@ -175,7 +177,8 @@ fn reach(document: &ChainDocument, command: &ChainCommand) -> Applied {
 /// The document with another structure: joints that both have keep their values.
 fn rebuilt(document: &ChainDocument, robot: Robot, message: String) -> Applied {
     let pose = robot.pose_from(&document.robot, &document.pose);
-    Ok((ChainDocument { robot: Arc::new(robot), pose, ..document.clone() }, told(message)))
+    let changed = ChainDocument { robot: Arc::new(robot), pose, urdf: None, ..document.clone() };
+    Ok((changed, told(message)))
 }
 
 fn set_range(document: &ChainDocument, joint: &str, to: (f64, f64)) -> Applied {
@@ -200,8 +203,12 @@ fn place(document: &ChainDocument, by: DVec3, turn: f64) -> Applied {
     let by = finite_point(by, "by")?;
     let turn = DQuat::from_rotation_y(finite(turn, "turn")?.to_radians());
     let Frame { rotation, position } = document.world_from_root;
-    let world_from_root = Frame::new((turn * rotation).normalize(), position + by);
-    Ok((ChainDocument { world_from_root, ..document.clone() }, told("Placed".to_owned())))
+    let wanted = Frame::new((turn * rotation).normalize(), position + by);
+    let world_from_root = document.root.clamped(document.world_from_root, wanted);
+    let clamped = world_from_root != wanted;
+    let message = if clamped { "Placed as far as its root moves" } else { "Placed" };
+    let outcome = ChainOutcome { clamped, ..told(message.to_owned()) };
+    Ok((ChainDocument { world_from_root, ..document.clone() }, outcome))
 }
 
 fn reset(document: &ChainDocument, joints: &[String]) -> Applied {

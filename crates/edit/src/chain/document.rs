@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use rig::{Frame, Robot, RobotPose};
+use rig::{Frame, Robot, RobotPose, RobotSkin, RootMoves};
 
 use super::command::ChainSolver;
 
@@ -18,13 +18,37 @@ pub struct ChainDocument {
     pub world_from_root: Frame,
     /// Whether joints stop at their ranges.
     pub ranges: bool,
+    /// How its root may be moved.
+    pub root: RootMoves,
+    /// Whether it moves in one plane, which a flat view from the side shows.
+    pub planar: bool,
+    /// The URDF file that the links are of, as the chain's file names it; `None` once its structure was changed.
+    pub urdf: Option<String>,
 }
 
 impl ChainDocument {
     /// A chain in a pose, its z standing up at the world's origin, ranges on.
     pub fn of(robot: Arc<Robot>, pose: &RobotPose) -> ChainDocument {
         let pose = robot.followed(pose);
-        ChainDocument { robot, pose, world_from_root: Robot::WORLD_FROM_ROOT, ranges: true }
+        ChainDocument {
+            robot,
+            pose,
+            world_from_root: Robot::WORLD_FROM_ROOT,
+            ranges: true,
+            root: RootMoves::Free,
+            planar: false,
+            urdf: None,
+        }
+    }
+
+    /// Raised, if something of it is below the ground, until all of it stands there.
+    #[must_use]
+    pub fn on_the_ground(mut self) -> ChainDocument {
+        let lowest = f64::from(RobotSkin::of(&self.robot).bounds(&self.frames()).min.y);
+        if lowest.is_finite() && lowest < 0.0 {
+            self.world_from_root.position.y -= lowest;
+        }
+        self
     }
 
     /// Where each link is in the world.

@@ -180,6 +180,19 @@ impl Robot {
         Ok(Robot::new(self.name.clone(), self.links.clone(), joints)?)
     }
 
+    /// With other names for the files of its meshes; what was read of them stays.
+    #[must_use]
+    pub fn with_mesh_files(mut self, renamed: impl Fn(&str) -> String) -> Robot {
+        for link in &mut self.links {
+            for visual in link.visuals.iter_mut().chain(&mut link.collisions) {
+                if let Shape::Mesh { file, .. } = &mut visual.shape {
+                    *file = renamed(file);
+                }
+            }
+        }
+        self
+    }
+
     /// The pose of another robot with the values of the joints that both have, by name and kind; others 0.
     #[must_use]
     pub fn pose_from(&self, other: &Robot, pose: &RobotPose) -> RobotPose {

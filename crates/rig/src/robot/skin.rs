@@ -1,9 +1,9 @@
 //! A robot as skins: links are drawn as rigid parts of meshes that a renderer of figures draws as well.
 
-use glam::Vec3;
+use glam::{DQuat, DVec3, Vec3};
 use kin::Frame;
 
-use super::Robot;
+use super::{Robot, RobotLink, Shape, Visual};
 use crate::dual_quaternion::DualQuaternion;
 use crate::{Bone, Bounds, Mesh, Palette};
 
@@ -20,16 +20,22 @@ pub struct RobotSkin {
 }
 
 impl RobotSkin {
-    /// The looks of a robot.
+    /// The looks of a robot: what its file shows of it, or else what bumps into things, or else rods between its joints.
     pub fn of(robot: &Robot) -> RobotSkin {
         let mut skin = RobotSkin::default();
+        let seen = Seen::of(robot);
         for (i, link) in robot.links().iter().enumerate() {
             if i % LINKS == 0 {
                 skin.meshes.push(Mesh::default());
             }
             let mesh = &mut skin.meshes[i / LINKS];
             let first = mesh.positions.len();
-            for visual in &link.visuals {
+            let own = match seen {
+                Seen::Visuals => &link.visuals,
+                Seen::Collisions => &link.collisions,
+                Seen::Bones => &robot.bones(i),
+            };
+            for visual in own.iter().filter(|v| seen == Seen::Visuals || !is_missing(&v.shape)) {
                 add(mesh, &visual.solid(), visual.link_from_visual, (i % LINKS) as u8);
             }
             skin.bounds.push(Bounds::of(mesh.positions[first..].iter().map(|p| Vec3::from_array(*p))));
@@ -64,6 +70,58 @@ impl RobotSkin {
     }
 }
 
+/// What stands for a robot's looks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Seen {
+    Visuals,
+    Collisions,
+    Bones,
+}
+
+impl Seen {
+    fn of(robot: &Robot) -> Seen {
+        let any = |of: &dyn Fn(&RobotLink) -> bool| robot.links().iter().any(of);
+        if any(&|link| !link.visuals.is_empty()) {
+            Seen::Visuals
+        } else if any(&|link| link.collisions.iter().any(|v| !is_missing(&v.shape))) {
+            Seen::Collisions
+        } else {
+            Seen::Bones
+        }
+    }
+}
+
+fn is_missing(shape: &Shape) -> bool {
+    matches!(shape, Shape::Mesh { solid: None, .. })
+}
+
+impl Robot {
+    /// Rods from a link's origin to the joints that it carries, and a ball where it begins.
+    fn bones(&self, link: usize) -> Vec<Visual> {
+        let far = |f: &Frame| f.position.length();
+        let size = self.frames(&self.rest()).iter().map(far).fold(0.1, f64::max);
+        let radius = 0.02 * size;
+        let visual = |at: DVec3, toward: DVec3, shape| Visual {
+            name: None,
+            link_from_visual: Frame::new(
+                DQuat::from_rotation_arc(DVec3::Z, toward.try_normalize().unwrap_or(DVec3::Z)),
+                at,
+            ),
+            shape,
+            paint: None,
+        };
+        let mut bones = vec![visual(DVec3::ZERO, DVec3::Z, Shape::Sphere(1.5 * radius))];
+        let carried = (0..self.joints().len()).filter(|&i| self.carrier(i) == Some(link));
+        for end in carried.map(|i| self.joints()[i].parent_from_joint.position) {
+            let length = end.length();
+            if length > radius {
+                bones.push(visual(end * 0.5, end, Shape::Capsule { radius, length }));
+            }
+        }
+        bones
+    }
+}
+
 fn add(mesh: &mut Mesh, solid: &super::Solid, link_from_visual: Frame, place: u8) {
     let first = mesh.positions.len() as u32;
     for ((position, normal), color) in solid.positions.iter().zip(&solid.normals).zip(&solid.colors) {
@@ -80,7 +138,6 @@ fn add(mesh: &mut Mesh, solid: &super::Solid, link_from_visual: Frame, place: u8
 
 #[cfg(test)]
 mod tests {
-    use glam::{DQuat, DVec3};
     use kin::Interval;
 
     use super::*;
@@ -115,5 +172,36 @@ mod tests {
             assert!(middle.distance(expected) < 1e-3, "link {link}: {middle} instead of {expected}");
             assert!(own.iter().all(|p| Bounds::of([*p]).union(around).radius() <= around.radius() + 1e-4));
         }
+    }
+
+    #[test]
+    fn what_shows_nothing_is_shown_as_rods() {
+        let link = |name: &str| RobotLink { name: name.to_owned(), ..RobotLink::default() };
+        let root = RobotLink { tip: Some(DVec3::X), ..link("root") };
+        let new = |name: &str| NewLink {
+            name: name.to_owned(),
+            length: 1.0,
+            range: Interval::new(-1.0, 1.0),
+            axis: DVec3::Z,
+        };
+        let robot = Robot::new("line", vec![root], Vec::new()).unwrap();
+        let robot = robot.appended(0, new("a")).unwrap().appended(1, new("b")).unwrap();
+        let bare: Vec<RobotLink> =
+            robot.links().iter().map(|l| RobotLink { visuals: Vec::new(), ..l.clone() }).collect();
+        let bare = Robot::new("bare", bare, robot.joints().to_vec()).unwrap();
+        let skin = RobotSkin::of(&bare);
+        let frames = bare.frames(&bare.rest());
+        let seen = skin.bounds(&frames);
+        assert!(seen.min.x < 0.0 && seen.max.x > 2.0 && seen.max.y < 0.1, "{seen:?}");
+        let mut shown = bare.links().to_vec();
+        shown[0].collisions = vec![Visual {
+            name: None,
+            link_from_visual: Frame::IDENTITY,
+            shape: Shape::Sphere(0.5),
+            paint: None,
+        }];
+        let bumping = Robot::new("bumping", shown, robot.joints().to_vec()).unwrap();
+        let seen = RobotSkin::of(&bumping).bounds(&frames[..1]);
+        assert!((seen.max.y - 0.5).abs() < 0.01, "{seen:?}");
     }
 }
