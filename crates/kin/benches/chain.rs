@@ -1,4 +1,5 @@
-//! Chains of 20, 100 and 1,000 links to a ten-thousandth of their length: from straight, and dragged on from where they are.
+//! Chains of 20, 100 and 1,000 links to a ten-thousandth of their length: from straight, and dragged on from
+//! where they are.
 
 mod sampling;
 #[path = "../tests/seeded/mod.rs"]
@@ -26,10 +27,14 @@ fn target(seeded: &mut Seeded) -> DVec3 {
     seeded.direction() * seeded.between(0.2, 0.95)
 }
 
-fn solve(chain: &Chain, start: &[Value], target: DVec3, solver: Solver) -> f64 {
+/// To a ten-thousandth of the metre.
+fn by(solver: Solver, chain: &Chain) -> Options<'static> {
+    Options { solver, tolerance_m: 1e-4, ..Options::of(chain) }
+}
+
+fn solve(chain: &Chain, start: &[Value], target: DVec3, options: &Options) -> f64 {
     let goal = Goal::tip(chain, chain.len() - 1, target).expect("a goal");
-    let options = Options { solver, tolerance_m: 1e-4, ..Options::of(chain) };
-    let solved = chain.solve(start, Frame::IDENTITY, &goal, &options).expect("an answer");
+    let solved = chain.solve(start, Frame::IDENTITY, &goal, options).expect("an answer");
     assert!(solved.reached, "{} m off {target}", solved.residual_m);
     solved.residual_m
 }
@@ -37,9 +42,9 @@ fn solve(chain: &Chain, start: &[Value], target: DVec3, solver: Solver) -> f64 {
 fn from_straight(c: &mut Criterion) {
     for links in [20, 100, 1000] {
         let chain = rope(links);
-        let (rest, mut seeded) = (chain.rest(), Seeded(11));
+        let (rest, options, mut seeded) = (chain.rest(), by(Solver::Best, &chain), Seeded(11));
         let name = format!("chain of {links} from straight");
-        each(c, &name, || target(&mut seeded), |&to| solve(&chain, &rest, to, Solver::Best));
+        each(c, &name, || target(&mut seeded), |&to| solve(&chain, &rest, to, &options));
     }
 }
 
@@ -47,13 +52,13 @@ fn from_straight(c: &mut Criterion) {
 fn dragged(c: &mut Criterion) {
     for links in [20, 100, 1000] {
         let chain = rope(links);
+        let options = by(Solver::Best, &chain);
         let goal = Goal::tip(&chain, links - 1, DVec3::new(0.5, 0.3, 0.0)).expect("a goal");
-        let bent =
-            chain.solve(&chain.rest(), Frame::IDENTITY, &goal, &Options::of(&chain)).expect("a bend").values;
+        let bent = chain.solve(&chain.rest(), Frame::IDENTITY, &goal, &options).expect("a bend").values;
         let mut seeded = Seeded(12);
         let name = format!("chain of {links} dragged on");
         let near = || goal.target + seeded.direction() * 0.02;
-        each(c, &name, near, |&to| solve(&chain, &bent, to, Solver::Best));
+        each(c, &name, near, |&to| solve(&chain, &bent, to, &options));
     }
 }
 
@@ -62,9 +67,9 @@ fn solvers(c: &mut Criterion) {
     let chain = rope(20);
     let rest = chain.rest();
     for solver in [Solver::DampedLeastSquares, Solver::Ccd, Solver::Fabrik] {
-        let mut seeded = Seeded(13);
+        let (options, mut seeded) = (by(solver, &chain), Seeded(13));
         let name = format!("chain of 20 from straight by {solver:?}");
-        each(c, &name, || target(&mut seeded), |&to| solve(&chain, &rest, to, solver));
+        each(c, &name, || target(&mut seeded), |&to| solve(&chain, &rest, to, &options));
     }
 }
 

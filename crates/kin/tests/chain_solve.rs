@@ -1,4 +1,5 @@
-//! Chains inversely: what can be reached is reached, ranges hold, nothing gets worse, and the shape stays near the start's.
+//! Chains inversely: what can be reached is reached, ranges hold, nothing gets worse, and the shape stays near
+//! the start's.
 
 mod chains;
 mod seeded;
@@ -209,7 +210,7 @@ fn a_straight_chain_bends_evenly_in_one_step() {
             let target = root().position + seeded.direction() * seeded.between(0.05, 0.99);
             let goal = Goal::tip(&chain, links - 1, target).unwrap();
             let solved = solve(&chain, &chain.rest(), &goal, &by(Solver::Best, &chain));
-            assert!(solved.residual_m < 1e-12, "{links}: {}", solved.residual_m);
+            assert!(solved.residual_m < 1e-10, "{links}: {}", solved.residual_m);
             assert_eq!((solved.reached, solved.iterations), (true, 1));
             assert!(solved.values[1..].iter().all(|value| *value == solved.values[1]));
         }

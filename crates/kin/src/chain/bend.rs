@@ -1,7 +1,8 @@
 //! The even bend: a straight chain whose joints all turn by one angle, the root so that the chord meets the target.
 //!
-//! With link lengths `l_k` the chord after a bend `a` a joint is `|sum l_k exp(i k a)|`: one scalar equation, solved by Newton's method between
-//! brackets. All turns are about one axis of the world, so each joint's own axis is that axis seen from the straight chain.
+//! With link lengths `l_k` the chord after a bend `a` a joint is `|sum l_k exp(i k a)|`: one scalar equation,
+//! solved by Newton's method between brackets. All turns are about one axis of the world, so each joint's own
+//! axis is that axis seen from the straight chain.
 
 use std::f64::consts::TAU;
 
@@ -67,7 +68,8 @@ impl Walk {
         self.joints += 1;
     }
 
-    /// The axis of the joint that was passed, which may move; none for a ball. Hinges must be parallel, and only the root may be a ball with them.
+    /// The axis of the joint that was passed, which may move; none for a ball. Hinges must be parallel, and only
+    /// the root may be a ball with them.
     #[inline(always)]
     fn turns_about(&mut self, axis: Option<DVec3>) {
         match (axis, self.hinge) {
@@ -131,8 +133,9 @@ impl Chain {
         Frame::new(node.rotation, node.point(goal.point))
     }
 
-    /// The values of the even bend that brings the point to the target; `None` where it does not apply. Hinges can bend to either side: `turned_over`
-    /// takes the side to which the root turns further. A target out of reach is pointed at with the chain straight; joints stop at their ranges.
+    /// The values of the even bend that brings the point to the target; `None` where it does not apply. Hinges
+    /// can bend to either side: `turned_over` takes the side to which the root turns further. A target out of
+    /// reach is pointed at with the chain straight; joints stop at their ranges.
     pub(super) fn even_bend(
         &self,
         path: &[usize],
@@ -180,8 +183,9 @@ impl Straight {
         self.hinge.is_some()
     }
 
-    /// The axis of the bend: the hinges', or, for balls, the one that lets the chain bow in the plane of its line and the target. Either way the first link then leans
-    /// to the side where it was, so that the root turns least.
+    /// The axis of the bend: the hinges', or, for balls, the one that lets the chain bow in the plane of its
+    /// line and the target. Either way the first link then leans to the side where it was, so that the root
+    /// turns least.
     fn bend_axis(&self, to: DVec3, turned_over: bool) -> DVec3 {
         let aside = self.along.cross(to);
         match self.hinge {
@@ -238,7 +242,8 @@ struct Chord {
     lean: f64,
 }
 
-/// The bend that makes links' chord as long as a distance: 0 if it is out of reach, `None` if they can't fold that far evenly.
+/// The bend that makes links' chord as long as a distance: 0 if it is out of reach, `None` if they can't fold
+/// that far evenly.
 fn chord(lengths: &[f64], distance: f64) -> Option<Chord> {
     let total: f64 = lengths.iter().sum();
     if !(total > 0.0 && distance.is_finite()) {
@@ -255,7 +260,7 @@ fn chord(lengths: &[f64], distance: f64) -> Option<Chord> {
     if !even && fold(high).length_squared > ratio * ratio {
         return None;
     }
-    let mut bend = guess(ratio) / many;
+    let mut bend = guess(ratio, many) / many;
     for _ in 0..60 {
         let at = fold(bend);
         let over = at.length_squared - ratio * ratio;
@@ -269,7 +274,7 @@ fn chord(lengths: &[f64], distance: f64) -> Option<Chord> {
         let change = (next - bend).abs();
         bend = next;
         // Newton's error after a step is about the square of the step.
-        if change * many < 1e-6 {
+        if change * many < 3e-6 {
             break;
         }
     }
@@ -277,11 +282,14 @@ fn chord(lengths: &[f64], distance: f64) -> Option<Chord> {
     Some(Chord { bend, lean })
 }
 
-/// Many links' bend times their number for a chord of that part of the length: an inverse of `sin(x/2) / (x/2)`, to a few hundredths.
-fn guess(ratio: f64) -> f64 {
+/// A bend times the number of links for a chord of that part of the length: an inverse of `sin(x/2) / (x/2)`, to
+/// a two-thousandth for many links.
+fn guess(ratio: f64, many: f64) -> f64 {
     let s = 1.0 - ratio;
-    // sinc(x) = 1 - x^2/6 + x^4/120 ... inverted; the last term makes the full circle right.
-    2.0 * (s * (6.0 + s * (1.8 + s * (0.823 + 1.2466 * s * s * s)))).sqrt()
+    // (x/2)² by sinc(x/2) = 1 - s: 6 s and on by the series, then a polynomial through five points.
+    let square = s * (6.0 + s * (1.8029 + s * (0.6788 + s * (1.5115 + s * (-2.2426 + s * 2.1078)))));
+    // A few links: sin(n h) / (n sin h) is 1 - (n² - 1) h²/6 for a small bend.
+    2.0 * (square * (1.0 + ratio / (many * many - 1.0))).sqrt()
 }
 
 /// A chord's squared length as a part of the chain's, its derivative by the bend, and its angle from the first link.

@@ -1,4 +1,5 @@
-//! Cyclic coordinate descent: from the tip to the root, each joint brings the point as near to the target as it alone can. Source: `ccd`.
+//! Cyclic coordinate descent: from the tip to the root, each joint brings the point as near to the target as it
+//! alone can. Source: `ccd`.
 
 use std::f64::consts::{PI, TAU};
 
@@ -56,8 +57,8 @@ fn part_way(joint: &Joint, from: Value, to: Value, most: f64) -> Value {
     }
 }
 
-/// The value of a joint, in range, that brings a lever's end as near to another place as the joint alone can. Both are seen from the joint, in the
-/// world's axes; `frame` is `world_from_node` at the present value.
+/// The value of a joint, in range, that brings a lever's end as near to another place as the joint alone can.
+/// Both are seen from the joint, in the world's axes; `frame` is `world_from_node` at the present value.
 pub(super) fn aimed(joint: &Joint, value: Value, frame: Frame, from: DVec3, to: DVec3) -> Value {
     match (*joint, value) {
         (Joint::Revolute { axis, range }, Value::Amount(x)) => {
@@ -81,7 +82,8 @@ pub(super) fn aimed(joint: &Joint, value: Value, frame: Frame, from: DVec3, to: 
     }
 }
 
-/// From `x` by an angle, up to full turns, in range: the end of the range that is nearest where the angle itself is outside.
+/// From `x` by an angle, up to full turns, in range: the end of the range that is nearest where the angle itself
+/// is outside.
 fn nearest_turn(x: f64, angle: f64, range: Interval) -> f64 {
     let wanted = x + angle;
     let other = if angle > 0.0 { wanted - TAU } else { wanted + TAU };

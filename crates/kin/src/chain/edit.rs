@@ -1,4 +1,5 @@
-//! Changing a chain's structure: nodes come and go, lengths and ranges change, the rest stays where it is on its parent.
+//! Changing a chain's structure: nodes come and go, lengths and ranges change, the rest stays where it is on its
+//! parent.
 
 use glam::DVec3;
 
@@ -7,8 +8,9 @@ use super::{BallRange, Chain, ChainError, Joint, Node};
 use crate::{Frame, Interval};
 
 impl Chain {
-    /// Adds a node that joins at its parent's tip, in its parent's axes, and returns its index: always the last. A node without parent is the
-    /// root of an empty chain and keeps its origin. The values need one more, [`Joint::rest`].
+    /// Adds a node that joins at its parent's tip, in its parent's axes, and returns its index: always the last.
+    /// A node without parent is the root of an empty chain and keeps its origin. The values need one more,
+    /// [`Joint::rest`].
     ///
     /// To join elsewhere or turned, see [`Chain::attach`].
     ///
@@ -20,7 +22,8 @@ impl Chain {
         self.push(Node { origin, ..node })
     }
 
-    /// Adds a node with its origin as it is, and returns its index: always the last. The values need one more, [`Joint::rest`].
+    /// Adds a node with its origin as it is, and returns its index: always the last. The values need one more,
+    /// [`Joint::rest`].
     ///
     /// # Errors
     /// As [`Chain::append`].
@@ -28,8 +31,9 @@ impl Chain {
         self.push(node)
     }
 
-    /// Takes a node out. What it carried joins its parent where the node joined it, as if its link had shrunk to nothing; everything
-    /// else stays. Nodes behind it move up by one index, so the caller removes `values[node]` too.
+    /// Takes a node out. What it carried joins its parent where the node joined it, as if its link had shrunk to
+    /// nothing; everything else stays. Nodes behind it move up by one index, so the caller removes
+    /// `values[node]` too.
     ///
     /// # Errors
     /// No such node, or the root while it carries more than one node.
@@ -54,7 +58,8 @@ impl Chain {
         Ok(removed)
     }
 
-    /// Gives a revolute or prismatic joint another range, radians or metres. The value stays where it is: outside, it may only move inward.
+    /// Gives a revolute or prismatic joint another range, radians or metres. The value stays where it is:
+    /// outside, it may only move inward.
     ///
     /// # Errors
     /// No such node, a joint of another kind, or a range that is empty or NaN.
@@ -85,7 +90,8 @@ impl Chain {
         Ok(())
     }
 
-    /// Makes a link longer or shorter along its direction, metres. Children that join at its tip move along; others stay.
+    /// Makes a link longer or shorter along its direction, metres. Children that join at its tip move along;
+    /// others stay.
     ///
     /// # Errors
     /// No such node, a length that is not above zero and finite, or a link without direction.
@@ -98,7 +104,8 @@ impl Chain {
         self.set_tip(node, direction * length)
     }
 
-    /// Moves the end of a link, in the node's frame. Children that join at it, to a billionth of the length, move along; others stay.
+    /// Moves the end of a link, in the node's frame. Children that join at it, to a billionth of the length,
+    /// move along; others stay.
     ///
     /// # Errors
     /// No such node, or a place that is not finite.

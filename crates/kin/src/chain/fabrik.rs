@@ -1,6 +1,6 @@
-//! Forward and backward reaching: the joints' places are drawn to the target and back to the root, then each joint aims at its successor's
-//! place as far as it can. For links on balls without ranges that is the published method; the aiming is what keeps hinges, slides and ranges.
-//! Source: `fabrik`.
+//! Forward and backward reaching: the joints' places are drawn to the target and back to the root, then each
+//! joint aims at its successor's place as far as it can. For links on balls without ranges that is the published
+//! method; the aiming is what keeps hinges, slides and ranges. Source: `fabrik`.
 
 use glam::DVec3;
 
@@ -62,7 +62,8 @@ impl Linkage {
         wanted.max(nearest).min(farthest)
     }
 
-    /// What a joint can aim with: the first place behind it that is off its axis. The place in the world, and its index.
+    /// What a joint can aim with: the first place behind it that is off its axis. The place in the world, and
+    /// its index.
     fn lever(&self, k: usize, world_from_mover: Frame, state: &[Value]) -> Option<(DVec3, usize)> {
         let mut at = world_from_mover;
         let off = |place: DVec3| {

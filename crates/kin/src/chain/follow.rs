@@ -1,7 +1,9 @@
-//! A chain that is drawn by a point, as a rope is or a snake: each link turns no more than it must to stay on the one ahead of it.
+//! A chain that is drawn by a point, as a rope is or a snake: each link turns no more than it must to stay on
+//! the one ahead of it.
 //!
-//! From the dragged point to the root: the link's far joint heads for where it was, its near end is where the link ahead has it. A long drag is made in
-//! steps, so that the body follows the head's way and not a straight cut. The root joint keeps its value; the whole chain's place moves.
+//! From the dragged point to the root: the link's far joint heads for where it was, its near end is where the
+//! link ahead has it. A long drag is made in steps, so that the body follows the head's way and not a straight
+//! cut. The root joint keeps its value; the whole chain's place moves.
 
 use glam::{DQuat, DVec3};
 
@@ -15,7 +17,8 @@ use crate::Frame;
 const MOST_STEPS: f64 = 16.0;
 
 impl Linkage {
-    /// Draws the point to the target and returns the frame of the first mover's joint then, and how many steps it took.
+    /// Draws the point to the target and returns the frame of the first mover's joint then, and how many steps
+    /// it took.
     ///
     /// The first mover's own value stays: with the whole chain free to turn about it, it has nothing to add.
     pub(super) fn follow(&self, state: &mut [Value], frames: &mut Vec<Frame>, goal: &Goal) -> (Frame, usize) {
@@ -46,7 +49,8 @@ impl Linkage {
         Frame::new((frames[last].rotation * self.end.rotation).normalize(), place)
     }
 
-    /// Lets the link before joint `k` follow: the joint turns so that the link's root stays as near as it can to where it was.
+    /// Lets the link before joint `k` follow: the joint turns so that the link's root stays as near as it can to
+    /// where it was.
     fn trail(&self, k: usize, state: &mut [Value], frames: &mut [Frame]) {
         let (mover, before) = (&self.movers[k], frames[k - 1]);
         let ahead = frames[k];

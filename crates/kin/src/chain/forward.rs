@@ -20,7 +20,8 @@ impl Chain {
     /// Values are used as given, in range or not.
     ///
     /// # Errors
-    /// As many values as nodes are needed, each of its joint's kind, finite, rotations of unit length to 1e-6. `out` is then empty.
+    /// As many values as nodes are needed, each of its joint's kind, finite, rotations of unit length to 1e-6.
+    /// `out` is then empty.
     pub fn frames(
         &self,
         values: &[Value],
@@ -50,13 +51,16 @@ impl Chain {
         Ok(ends.map(|(frame, node)| Place { joint: frame.position, tip: frame.point(node.tip) }).collect())
     }
 
-    /// Moves one joint by a delta, as far as its range lets it, and so everything that it carries. Says where it is then.
+    /// Moves one joint by a delta, as far as its range lets it, and so everything that it carries. Says where it
+    /// is then.
     ///
-    /// An amount is added; a rotation turns the node in the joint's axes (`delta * before`). A value that lies outside its range may
-    /// stay or move inward and never goes further out. A fixed joint takes no turn but zero.
+    /// An amount is added; a rotation turns the node in the joint's axes (`delta * before`). A value that lies
+    /// outside its range may stay or move inward and never goes further out. A fixed joint takes no turn but
+    /// zero.
     ///
     /// # Errors
-    /// No such node, wrong count of values, or a delta or value of another kind or not finite; the values are then as before.
+    /// No such node, wrong count of values, or a delta or value of another kind or not finite; the values are
+    /// then as before.
     pub fn turn(&self, values: &mut [Value], node: usize, delta: Value) -> Result<Value, ChainError> {
         let joint = self.node(node)?.joint;
         self.check(values)?;

@@ -26,7 +26,8 @@ pub enum Root {
     /// It stays, and the point may turn out to be out of reach.
     #[default]
     Held,
-    /// It is drawn along, as a rope is or a snake: each link follows the one ahead of it no further than it must. The point always gets there.
+    /// It is drawn along, as a rope is or a snake: each link follows the one ahead of it no further than it
+    /// must. The point always gets there.
     Follows,
 }
 
@@ -38,9 +39,11 @@ pub enum Solver {
     Best,
     /// Two links, or one bend shared by all joints of a straight chain. Where neither fits, it returns the start.
     ClosedForm,
-    /// Cyclic coordinate descent: joint by joint from the tip, each brings the point as near to the target as it can. Positions only.
+    /// Cyclic coordinate descent: joint by joint from the tip, each brings the point as near to the target as it
+    /// can. Positions only.
     Ccd,
-    /// Forward and backward reaching: the joints' places are dragged to the target and back, then each joint aims at them. Positions only.
+    /// Forward and backward reaching: the joints' places are dragged to the target and back, then each joint
+    /// aims at them. Positions only.
     Fabrik,
     /// Damped least squares, all joints at once: the smallest change that does it.
     DampedLeastSquares,
@@ -106,7 +109,8 @@ impl Goal {
 }
 
 impl Options<'static> {
-    /// The best solver to a ten-thousandth of the chain's length and a milliradian, with at most 1,000 steps, nothing held.
+    /// The best solver to a ten-thousandth of the chain's length and a milliradian, with at most 1,000 steps,
+    /// nothing held.
     pub fn of(chain: &Chain) -> Options<'static> {
         let tolerance_m = (1e-4 * chain.length()).clamp(f64::MIN_POSITIVE, f64::MAX);
         Options { solver: Solver::Best, tolerance_m, tolerance_rad: 1e-3, cap: 1000, held: &[] }

@@ -35,8 +35,9 @@ pub enum Joint {
 
 /// Where a ball joint may turn to: the directions of its bone, and the twist about the bone.
 ///
-/// A rotation is split into `swing * twist` about `bone`, as by [`swing_twist`]: the swing, the smallest turn that brings the bone
-/// to where it points, is judged by the cone, the twist by the interval. Both may be clamped one by one.
+/// A rotation is split into `swing * twist` about `bone`, as by [`swing_twist`]: the swing, the smallest turn
+/// that brings the bone to where it points, is judged by the cone, the twist by the interval. Both may be
+/// clamped one by one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BallRange {
     /// The bone's direction in the node's frame, a unit vector; the twist is about it.
@@ -65,7 +66,8 @@ impl BallRange {
         (swing, if turns.is_finite() { twist + turns * TAU } else { twist })
     }
 
-    /// The rotation, in range: the bone to the nearest direction of the cone, the twist to the nearest of its interval.
+    /// The rotation, in range: the bone to the nearest direction of the cone, the twist to the nearest of its
+    /// interval.
     ///
     /// A rotation in range comes back to the bit.
     #[must_use]

@@ -1,8 +1,9 @@
 //! Damped least squares: all joints at once, the smallest change that closes the gap, within their ranges.
 //!
-//! Each step solves `(J Jᵀ + mu I) y = gap` and moves by `Jᵀ y`: three or six unknowns, however many joints. A joint whose step would leave its
-//! range goes to the end of it and the rest is solved again. The damping falls while steps help and grows when one does
-//! not; a step that does not help is not taken. Source: `wampler`. The damping's rule: Source: `marquardt`.
+//! Each step solves `(J Jᵀ + mu I) y = gap` and moves by `Jᵀ y`: three or six unknowns, however many joints. A
+//! joint whose step would leave its range goes to the end of it and the rest is solved again. The damping falls
+//! while steps help and grows when one does not; a step that does not help is not taken. Source: `wampler`. The
+//! damping's rule: Source: `marquardt`.
 
 use glam::{DQuat, DVec3};
 
@@ -51,7 +52,8 @@ pub(super) struct Scratch {
 }
 
 impl Linkage {
-    /// Moves a state nearer to the goal until it is met, nothing helps any more, or the steps are used up. Says whether it is met.
+    /// Moves a state nearer to the goal until it is met, nothing helps any more, or the steps are used up. Says
+    /// whether it is met.
     pub(super) fn least_squares(&self, state: &mut Vec<Value>, run: &mut Run, most: usize) -> bool {
         let mut scratch = std::mem::take(&mut run.scratch);
         let met = self.descend(state, run, most, &mut scratch);
@@ -219,7 +221,8 @@ impl Linkage {
     }
 }
 
-/// Sets the steps of columns that are not stopped, and stops those that come to an end of their range: what they do is taken off the gap. Says whether any did.
+/// Sets the steps of columns that are not stopped, and stops those that come to an end of their range: what they
+/// do is taken off the gap. Says whether any did.
 fn stop(columns: &mut [Column], y: &[f64; 6], gap: &mut [f64; 6]) -> bool {
     let mut any = false;
     for column in columns.iter_mut().filter(|column| !column.stopped) {
@@ -275,10 +278,11 @@ impl Swing {
         }
     }
 
-    /// The axes of the joint's three freedoms in its frame, and how far each may go: away from the cone's axis, along the rim, twist.
+    /// The axes of the joint's three freedoms in its frame, and how far each may go: away from the cone's axis,
+    /// along the rim, twist.
     ///
-    /// While the bone swings along a tangent `e` and the twist stays, the joint turns about `d x e + c d` with `c` such that the axis is
-    /// perpendicular to the bone's rest and present directions' sum (Listing's law).
+    /// While the bone swings along a tangent `e` and the twist stays, the joint turns about `d x e + c d` with
+    /// `c` such that the axis is perpendicular to the bone's rest and present directions' sum (Listing's law).
     fn axes(&self) -> [(DVec3, f64, f64); 3] {
         let upright = 1.0 + self.bone.dot(self.direction);
         let axis = |tangent: DVec3| {

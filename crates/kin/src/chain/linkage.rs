@@ -1,4 +1,5 @@
-//! The part of a chain that a search moves: the free joints between the root and the goal's point, what is rigid between them folded in.
+//! The part of a chain that a search moves: the free joints between the root and the goal's point, what is rigid
+//! between them folded in.
 
 use glam::{DQuat, DVec3};
 
@@ -132,7 +133,8 @@ impl Linkage {
         self.cost(&self.gap(self.end_at(state)))
     }
 
-    /// Whether the gap is within the tolerances, with a little to spare for the rounding of another order of products.
+    /// Whether the gap is within the tolerances, with a little to spare for the rounding of another order of
+    /// products.
     pub(super) fn met(&self, gap: &Gap) -> bool {
         gap.way.length() <= 0.999 * self.tolerance_m && gap.turn.length() <= 0.999 * self.tolerance_rad
     }

@@ -1,4 +1,5 @@
-//! A search's budget, and where it begins again when the start leads nowhere: the same places for the same problem, always.
+//! A search's budget, and where it begins again when the start leads nowhere: the same places for the same
+//! problem, always.
 
 use std::f64::consts::PI;
 

@@ -29,14 +29,18 @@ struct Task<'a> {
 impl Chain {
     /// Finds values that bring a point of a node to a target, starting from given ones.
     ///
-    /// Joints stay in their ranges; one that starts outside may only move inward. Nodes that are held, and nodes off the way from the root to the goal's
-    /// node, keep their values to the bit. A goal that is met already changes nothing, and the answer is never farther off than the start (where a rotation is
-    /// asked for, in `sqrt(way² + (turn * half the length)²)`). Where many answers exist, it is one near the start; only a chain that is straight to a
-    /// thousandth takes the even bend, and only where the start leads nowhere are other starts tried, always the same ones. A target out of
-    /// reach is pointed at. With [`Root::Follows`] the point gets there and the chain moves; solver and held nodes don't matter then, ranges do.
+    /// Joints stay in their ranges; one that starts outside may only move inward. Nodes that are held, and nodes
+    /// off the way from the root to the goal's node, keep their values to the bit. A goal that is met already
+    /// changes nothing, and the answer is never farther off than the start (where a rotation is asked for, in
+    /// `sqrt(way² + (turn * half the length)²)`). Where many answers exist, it is one near the start; only a
+    /// chain that is straight to a thousandth takes the even bend, and only where the start leads nowhere are
+    /// other starts tried, always the same ones. A target out of reach is pointed at. With [`Root::Follows`] the
+    /// point gets there and the chain moves: the solver does not matter then and a rotation is not sought,
+    /// ranges and held nodes are kept.
     ///
     /// # Errors
-    /// No such node; values, flags or tolerances that don't fit; numbers that are not finite; a rotation for a solver of positions.
+    /// No such node; values, flags or tolerances that don't fit; numbers that are not finite; a rotation for a
+    /// solver of positions.
     pub fn solve(
         &self,
         values: &[Value],

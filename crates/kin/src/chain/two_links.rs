@@ -1,4 +1,5 @@
-//! Two links in closed form: the second joint sets how far the point is, the first where it points. The elbow keeps its side.
+//! Two links in closed form: the second joint sets how far the point is, the first where it points. The elbow
+//! keeps its side.
 
 use std::f64::consts::TAU;
 
@@ -10,10 +11,11 @@ use super::{Joint, Value};
 use crate::axis_angle;
 
 impl Linkage {
-    /// The state that brings the point to the target, or as near as it can without leaving its ranges; `None` if there are not two turning joints, or the goal
-    /// has a rotation.
+    /// The state that brings the point to the target, or as near as it can without leaving its ranges; `None` if
+    /// there are not two turning joints, or the goal has a rotation.
     ///
-    /// Exact where the first joint is a ball, or both are hinges with parallel axes; else, or where a range stops it, a good guess.
+    /// Exact where the first joint is a ball, or both are hinges with parallel axes; else, or where a range
+    /// stops it, a good guess.
     pub(super) fn two_links(&self, state: &[Value]) -> Option<Vec<Value>> {
         if self.movers.len() != 2 || self.rotation.is_some() {
             return None;
@@ -47,7 +49,8 @@ impl Linkage {
         Some(out)
     }
 
-    /// The axis about which two links on balls fold: across both, or, if they are straight, across them and the target. `None` for links without length.
+    /// The axis about which two links on balls fold: across both, or, if they are straight, across them and the
+    /// target. `None` for links without length.
     fn fold_axis(&self, upper: DVec3, lower: DVec3) -> Option<DVec3> {
         let (u, l) = (upper.try_normalize()?, lower.try_normalize()?);
         let across = u.cross(l);
@@ -69,7 +72,8 @@ struct Turns {
     other: f64,
 }
 
-/// The turns about an axis that bring the far end of the lower link to a distance from the upper one's root, or nearest to it.
+/// The turns about an axis that bring the far end of the lower link to a distance from the upper one's root, or
+/// nearest to it.
 ///
 /// With `w` the lower link across the axis: `d² = |u|² + |l|² + 2 u.(l - w) + 2 (u.w cos g + u.(axis x w) sin g)`.
 fn turn_for(upper: DVec3, lower: DVec3, axis: DVec3, distance: f64) -> Option<Turns> {
