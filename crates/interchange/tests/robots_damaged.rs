@@ -126,6 +126,9 @@ fn thousands_of_joints_take_no_time() {
         assert_eq!(robot.frames(&robot.rest()).len(), 4000);
     }
     assert!(start.elapsed().as_secs_f64() < 10.0, "{:?}", start.elapsed());
+    let attributes: String = (0..100_000).map(|i| format!("a{i}=\"\" ")).collect();
+    assert!(fault(&[&format!("<link {attributes}/>")]).contains("more than 64 attributes"));
+    assert!(fault(&[&"<link name=\"a\"/>".repeat(200_000)]).contains("more than 100000 elements"));
     let many: String = (0..5000).map(|i| format!("<link name=\"l{i}\"/>")).collect();
     assert!(fault(&[&many]).contains("5000 links"));
 }

@@ -6,6 +6,11 @@
 /// The deepest nesting that is read; a URDF needs five.
 pub const MAX_DEPTH: usize = 32;
 
+/// The most attributes of one element; a URDF needs six.
+pub const MAX_ATTRIBUTES: usize = 64;
+/// The most elements of a file: some twenty for each link.
+pub const MAX_ELEMENTS: usize = 100_000;
+
 /// One element.
 pub struct Element<'a> {
     /// Its tag.
@@ -146,6 +151,9 @@ impl<'a> Reader<'a> {
         if self.open.is_empty() && !self.elements.is_empty() {
             return self.broken(start, format!("<{name}> is a second root element"));
         }
+        if self.elements.len() >= MAX_ELEMENTS {
+            return self.broken(start, format!("<{name}> is one more than {MAX_ELEMENTS} elements"));
+        }
         if self.open.len() >= MAX_DEPTH {
             return self.broken(start, format!("<{name}> is nested deeper than {MAX_DEPTH} elements"));
         }
@@ -177,6 +185,9 @@ impl<'a> Reader<'a> {
             let value = self.value(name)?;
             if attributes.iter().any(|a| a.name == name) {
                 return self.broken(at, format!("<{element}> has {name} twice"));
+            }
+            if attributes.len() >= MAX_ATTRIBUTES {
+                return self.broken(at, format!("<{element}> has more than {MAX_ATTRIBUTES} attributes"));
             }
             attributes.push(Attribute { name, value, at });
         }
