@@ -11,8 +11,8 @@ use crate::ball::rotation_vector;
 use crate::{Frame, Interval, axis_angle::scaled_axis};
 
 impl Linkage {
-    /// One sweep. Never moves the point away from the target.
-    pub(super) fn ccd_sweep(&self, state: &mut [Value], frames: &mut Vec<Frame>) {
+    /// One sweep; returns where the point is then. Never moves it away from the target.
+    pub(super) fn ccd_sweep(&self, state: &mut [Value], frames: &mut Vec<Frame>) -> DVec3 {
         let mut point = self.forward(state, frames).position;
         let most = TAU / self.movers.len() as f64;
         for k in (0..self.movers.len()).rev() {
@@ -36,6 +36,7 @@ impl Linkage {
                 (point, state[k]) = (after, moved);
             }
         }
+        point
     }
 }
 

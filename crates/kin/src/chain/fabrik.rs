@@ -5,51 +5,77 @@
 use glam::DVec3;
 
 use super::ccd::aimed;
+use super::forward::carried;
 use super::linkage::Linkage;
 use super::{Joint, Value};
-use crate::Frame;
+use crate::{Frame, axis_angle};
+
+/// Where the joints are and the end is, and where they are drawn to.
+#[derive(Default)]
+pub(super) struct Places {
+    now: Vec<DVec3>,
+    drawn: Vec<DVec3>,
+}
 
 impl Linkage {
-    /// One sweep there and back. May move the point away from the target where joints or ranges bend the way.
-    pub(super) fn fabrik_sweep(&self, state: &mut [Value], places: &mut Vec<DVec3>) {
-        self.drawn(state, places);
-        self.aim(state, places);
+    /// One sweep there and back; returns where the point is then. It may be farther from the target where joints
+    /// or ranges bend the way. `places` are those of the sweep before, or empty.
+    pub(super) fn fabrik_sweep(&self, state: &mut [Value], places: &mut Places) -> DVec3 {
+        if places.now.is_empty() {
+            self.joints(state, &mut places.now);
+        }
+        let Places { now, drawn } = places;
+        self.draw(now, drawn);
+        now.clear();
+        self.aim(state, drawn, now)
     }
 
-    /// Root to tip, each joint aims with what is behind it at that one's place, as far as its range lets it.
-    pub(super) fn aim(&self, state: &mut [Value], places: &[DVec3]) {
+    /// Every joint pointed at the target.
+    pub(super) fn pointed(&self, start: &[Value]) -> Vec<Value> {
+        let mut state = start.to_vec();
+        self.aim(&mut state, &vec![self.target; start.len() + 1], &mut Vec::new());
+        state
+    }
+
+    /// Root to tip, each joint aims with what is behind it at that one's place, as far as its range lets it. Adds
+    /// where the joints and the end are then to `now`, and returns the last.
+    fn aim(&self, state: &mut [Value], places: &[DVec3], now: &mut Vec<DVec3>) -> DVec3 {
         let mut at = Frame::IDENTITY;
-        for k in 0..self.movers.len() {
-            let mover = &self.movers[k];
-            let joint_at = at.then(mover.origin);
-            let now = joint_at.then(mover.joint.frame(state[k]));
-            if let Some((lever, aim)) = self.lever(k, now, state) {
-                state[k] =
-                    aimed(&mover.joint, state[k], now, lever - now.position, places[aim] - now.position);
+        for (k, mover) in self.movers.iter().enumerate() {
+            let before = carried(at, &mover.origin, &mover.joint, state[k]);
+            at = before;
+            if let Some((lever, aim)) = self.lever(k, before, state) {
+                let (from, to) = (lever - before.position, places[aim] - before.position);
+                let value = aimed(&mover.joint, state[k], before, from, to);
+                at = moved(before, &mover.joint, state[k], value);
+                state[k] = value;
             }
-            at = joint_at.then(mover.joint.frame(state[k]));
+            now.push(slid_back(at, &mover.joint, state[k]));
         }
+        now.push(at.point(self.end.position));
+        at.point(self.end.position)
+    }
+
+    /// Where the joints are, before their slides, and the end.
+    fn joints(&self, state: &[Value], out: &mut Vec<DVec3>) {
+        let mut at = Frame::IDENTITY;
+        for (mover, &value) in self.movers.iter().zip(state) {
+            at = carried(at, &mover.origin, &mover.joint, value);
+            out.push(slid_back(at, &mover.joint, value));
+        }
+        out.push(at.point(self.end.position));
     }
 
     /// Where each joint and the end would be, were they drawn to the target link by link.
-    fn drawn(&self, state: &[Value], places: &mut Vec<DVec3>) {
-        places.clear();
-        let mut at = Frame::IDENTITY;
-        for (mover, &value) in self.movers.iter().zip(state) {
-            let joint_at = at.then(mover.origin);
-            places.push(joint_at.position);
-            at = joint_at.then(mover.joint.frame(value));
-        }
-        places.push(self.target);
-        let mut last = at.then(self.end).position;
-        for k in (0..self.movers.len()).rev() {
-            let here = places[k];
-            let length = self.drawn_length(k, here.distance(last), here.distance(places[k + 1]));
-            let way = (here - places[k + 1]).try_normalize();
-            last = here;
-            if k > 0 {
-                places[k] = places[k + 1] + way.unwrap_or(DVec3::ZERO) * length;
-            }
+    fn draw(&self, now: &[DVec3], out: &mut Vec<DVec3>) {
+        out.clear();
+        out.extend_from_slice(now);
+        let last = self.movers.len();
+        out[last] = self.target;
+        for k in (1..last).rev() {
+            let ahead = out[k + 1];
+            let length = self.drawn_length(k, now[k].distance(now[k + 1]), now[k].distance(ahead));
+            out[k] = ahead + (now[k] - ahead).try_normalize().unwrap_or(DVec3::ZERO) * length;
         }
     }
 
@@ -84,6 +110,30 @@ impl Linkage {
         }
         let end = at.then(self.end).position;
         far(end).then_some((end, self.movers.len()))
+    }
+}
+
+/// A joint's place before its slide, from the frame behind it.
+fn slid_back(world_from_node: Frame, joint: &Joint, value: Value) -> DVec3 {
+    match joint {
+        Joint::Prismatic { .. } => world_from_node.point(-joint.frame(value).position),
+        _ => world_from_node.position,
+    }
+}
+
+/// The frame behind a joint after its value has changed.
+fn moved(world_from_node: Frame, joint: &Joint, from: Value, to: Value) -> Frame {
+    match (joint, from, to) {
+        (Joint::Ball { .. }, Value::Turn(from), Value::Turn(to)) => {
+            Frame::new(world_from_node.rotation * (from.conjugate() * to), world_from_node.position)
+        }
+        (Joint::Revolute { axis, .. }, Value::Amount(from), Value::Amount(to)) => {
+            Frame::new(world_from_node.rotation * axis_angle(*axis, to - from), world_from_node.position)
+        }
+        (Joint::Prismatic { axis, .. }, Value::Amount(from), Value::Amount(to)) => {
+            Frame::new(world_from_node.rotation, world_from_node.point(*axis * (to - from)))
+        }
+        _ => world_from_node,
     }
 }
 

@@ -1,8 +1,9 @@
 //! From a goal to values: which solver does what, in which order.
 
-use glam::DQuat;
+use glam::{DQuat, DVec3};
 
 use super::bend::Survey;
+use super::fabrik::Places;
 use super::goal::{Goal, Options, Root, Solved, Solver};
 use super::linkage::Linkage;
 use super::restart::Run;
@@ -229,7 +230,7 @@ impl Linkage {
                 linkage.sweeps(state, run, |state| linkage.ccd_sweep(state, &mut frames))
             }),
             Solver::Fabrik => self.search(start, None, run, |linkage, state, run| {
-                let mut places = Vec::with_capacity(state.len() + 1);
+                let mut places = Places::default();
                 linkage.sweeps(state, run, |state| linkage.fabrik_sweep(state, &mut places))
             }),
         }
@@ -278,35 +279,30 @@ impl Linkage {
         best
     }
 
-    /// Every joint pointed at the target.
-    fn pointed(&self, start: &[Value]) -> Vec<Value> {
-        let mut state = start.to_vec();
-        self.aim(&mut state, &vec![self.target; start.len() + 1]);
-        state
-    }
-
-    /// Sweeps while they halve the distance, then damped least squares. Says whether the goal is met.
-    fn sweeps(&self, state: &mut Vec<Value>, run: &mut Run, mut sweep: impl FnMut(&mut [Value])) -> bool {
+    /// Sweeps while they halve the distance, then damped least squares. Says whether the goal is met. A sweep
+    /// returns where the point is after it.
+    fn sweeps(
+        &self,
+        state: &mut Vec<Value>,
+        run: &mut Run,
+        mut sweep: impl FnMut(&mut [Value]) -> DVec3,
+    ) -> bool {
         let mut best = state.clone();
-        let mut cost = self.cost_at(state);
-        let (mut mark, mut since) = (cost, 0);
-        while !self.is_met(&best) {
-            if !run.spend() {
-                break;
-            }
-            sweep(state);
-            let now = self.cost_at(state);
-            if now < cost {
-                cost = now;
+        let mut off = self.end_at(state).position.distance(self.target);
+        let (mut mark, mut since) = (off, 0);
+        while off > 0.999 * self.tolerance_m && run.spend() {
+            let now = sweep(state).distance(self.target);
+            if now < off {
+                off = now;
                 best.clone_from(state);
             }
             since += 1;
             if since == HALVING {
-                if cost > 0.25 * mark || cost.is_nan() {
+                if off > 0.5 * mark {
                     self.least_squares(&mut best, run, STEPS);
                     break;
                 }
-                (mark, since) = (cost, 0);
+                (mark, since) = (off, 0);
             }
         }
         *state = best;
