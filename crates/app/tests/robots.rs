@@ -200,6 +200,13 @@ fn robots_and_chains_become_each_other() {
             assert!(near(&found[name]["rotation"], &numbers(&link["rotation"])), "{name}");
         }
     }
+    folder.file("meshes/base.stl", STL);
+    let elsewhere = folder.file("elsewhere/x.chain.ron", "");
+    let named = folder.file("named.urdf", &GRIPPER.replace("package://gripper/", ""));
+    assert_eq!(code(&posewright(&["convert", text(&named), text(&elsewhere)])), 0);
+    let chain = fs::read_to_string(&elsewhere).unwrap();
+    assert!(chain.contains("../meshes/base.stl"), "meshes are named from the new place: {chain}");
+    assert_eq!(said(&posewright(&["check", text(&elsewhere)])), "");
     let output = posewright(&["convert", text(&urdf), text(&folder.path("x.glb"))]);
     assert_eq!(code(&output), 2);
     assert!(said(&output).contains("becomes a .urdf or a .chain.ron file"), "{}", said(&output));

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
-use interchange::chain_file::{self, ChainFile};
-use interchange::urdf::{figure_robot, write_robot};
+use edit::ChainDocument;
+use interchange::urdf::figure_robot;
 use rig::{Robot, RobotPose};
 use serde::Serialize;
 use serde_json::Value;
 
 use super::{print, say, write_json};
-use crate::disk::write_atomic;
 use crate::failure::Failure;
 use crate::load::{self, Kind};
 
@@ -84,34 +84,32 @@ pub(super) fn check(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a figure's skeleton, a robot or a chain as URDF or as a chain file.
+/// Writes a figure's skeleton, a robot or a chain as URDF or as a chain file. The meshes that it names are named from its new place.
 pub(super) fn convert(path: &Path, to: &Path) -> Result<(), Failure> {
-    let chain = match Kind::of(path)? {
+    if !matches!(Kind::of(to)?, Kind::Urdf | Kind::Chain) {
+        let message = "a figure, a robot or a chain becomes a .urdf or a .chain.ron file";
+        return Err(Failure::Usage(format!("{}: {message}", to.display())));
+    }
+    let document = match Kind::of(path)? {
         Kind::Figure => {
             let figure = load::figure(Some(path))?;
             let robot =
                 figure_robot(&figure).map_err(|e| Failure::Input(format!("{}: {e}", path.display())))?;
-            ChainFile::of(robot)
+            let rest = robot.rest();
+            ChainDocument::of(Arc::new(robot), &rest)
         }
         Kind::Urdf | Kind::Chain => {
-            let (chain, warnings) = load::chain(path)?;
+            let (editor, warnings) = load::open_chain(path)?;
             warn(path, &warnings);
-            chain
+            // What is written has nodes of its own.
+            ChainDocument { urdf: None, ..editor.document().clone() }
         }
         _ => {
             let message = "this is converted to nothing; give a .figure.ron, .urdf or .chain.ron file";
             return Err(Failure::Input(format!("{}: {message}", path.display())));
         }
     };
-    let text = match Kind::of(to)? {
-        Kind::Urdf => write_robot(&chain.robot),
-        Kind::Chain => chain_file::write(&ChainFile { urdf: None, ..chain }),
-        _ => {
-            let message = "a figure, a robot or a chain becomes a .urdf or a .chain.ron file";
-            return Err(Failure::Usage(format!("{}: {message}", to.display())));
-        }
-    };
-    write_atomic(to, text.as_bytes())
+    load::save_chain(&document, Some(path), to)
 }
 
 fn warn(path: &Path, warnings: &[String]) {
