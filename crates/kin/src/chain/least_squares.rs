@@ -15,6 +15,9 @@ use crate::{Frame, axis_angle, axis_angle::scaled_axis};
 /// No joint turns further than this in one step, radians.
 const STRIDE_RAD: f64 = 0.8;
 
+/// Steps narrower than this that hardly help, four in a row, mean that the search has settled, radians.
+const IDLE_RAD: f64 = 0.005;
+
 /// Rounds in which joints may come to the end of their range within one step.
 const ROUNDS: usize = 8;
 
@@ -73,12 +76,12 @@ impl Linkage {
             if idle >= 4 || damping > 1e6 || !run.spend() {
                 return false;
             }
-            self.steps(gap.way, gap.turn, damping, room);
+            let widest = self.steps(gap.way, gap.turn, damping, room);
             self.moved(state, room);
             let next = self.gap(self.forward(&room.trial, &mut room.trial_frames));
             let next_cost = self.cost(&next);
             if next_cost < cost {
-                idle = if next_cost > 0.99 * cost { idle + 1 } else { 0 };
+                idle = if next_cost > 0.99 * cost && widest < IDLE_RAD { idle + 1 } else { 0 };
                 damping = (damping * 0.15_f64).max(1e-14);
                 std::mem::swap(state, &mut room.trial);
                 std::mem::swap(&mut room.frames, &mut room.trial_frames);
@@ -131,8 +134,8 @@ impl Linkage {
         [way.x, way.y, way.z, turn.x, turn.y, turn.z]
     }
 
-    /// Sets the steps that close a gap best.
-    fn steps(&self, way: DVec3, turn: DVec3, damping: f64, room: &mut Scratch) {
+    /// Sets the steps that close a gap best, and returns the widest.
+    fn steps(&self, way: DVec3, turn: DVec3, damping: f64, room: &mut Scratch) -> f64 {
         let turn = turn * self.arm();
         let mut gap = [way.x, way.y, way.z, turn.x, turn.y, turn.z];
         let Scratch { columns, free, .. } = room;
@@ -162,6 +165,7 @@ impl Linkage {
             columns.iter_mut().for_each(|column| column.step *= STRIDE_RAD / widest);
             free.iter_mut().for_each(|ball| ball.step *= STRIDE_RAD / widest);
         }
+        widest.min(STRIDE_RAD)
     }
 
     /// `J Jᵀ` of the balls without range, the lower half: a turn about any axis moves the point by `axis x lever`.

@@ -17,6 +17,9 @@ const STEPS: usize = 80;
 /// Sweeps in which the distance must halve, else damped least squares take over.
 const HALVING: usize = 8;
 
+/// Another start must bring the point to less than that part of the distance.
+const LEAP: f64 = 0.95;
+
 /// A problem as it was given.
 struct Task<'a> {
     chain: &'a Chain,
@@ -263,17 +266,17 @@ impl Linkage {
             }
             best = self.nearer(best, Some(state));
         }
-        let mut cost = self.cost_at(&best);
+        let mut off = self.cost_at(&best).sqrt();
         while !far && !self.movers.is_empty() && run.spent < run.cap {
             run.restarts += 1;
             let mut state = self.elsewhere(start, run.restarts);
             if local(self, &mut state, run) {
                 return state;
             }
-            let found = self.cost_at(&state);
-            // Half as far off is worth a leap; less is not.
-            if found < 0.25 * cost {
-                (best, cost) = (state, found);
+            let found = self.cost_at(&state).sqrt();
+            // What is clearly nearer is worth a leap; a hair's breadth is not.
+            if found < LEAP * off && found + 10.0 * self.tolerance_m < off {
+                (best, off) = (state, found);
             }
         }
         best
