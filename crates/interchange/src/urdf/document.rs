@@ -7,6 +7,9 @@ use super::tree::MAX_LINKS;
 use super::{MAX_BYTES, UrdfError, UrdfFault, check};
 use crate::Spot;
 
+/// Where a file begins, for what is wrong with it as a whole.
+const START: Spot = Spot { line: 1, column: 1 };
+
 /// A file that reads well; what it says may still make no sense.
 pub(super) struct Document<'a> {
     text: &'a str,
@@ -22,14 +25,14 @@ impl<'a> Document<'a> {
     /// Text that is too long or no XML, parts that are missing, names twice, numbers that are none.
     pub fn read(text: &'a str) -> Result<Document<'a>, UrdfError> {
         if text.len() > MAX_BYTES {
-            return Err(UrdfFault::TooLarge(text.len()).at(Spot::default()));
+            return Err(UrdfFault::TooLarge(text.len()).at(START));
         }
         let outline = outline(text)
             .map_err(|broken| UrdfFault::Syntax(broken.message).at(Spot::at(text, broken.at)))?;
         check::check(text, &outline)?;
         let links = outline.iter().filter(|e| e.parent == Some(0) && e.name == "link").count();
         if links > MAX_LINKS {
-            return Err(UrdfFault::TooMany(links).at(Spot::default()));
+            return Err(UrdfFault::TooMany(links).at(START));
         }
         let robot = urdf_rs::read_from_string(text).map_err(|error| unread(&error.to_string()))?;
         Ok(Document { text, outline, robot })
@@ -46,7 +49,7 @@ impl<'a> Document<'a> {
             });
             Some(Spot::at(self.text, part.unwrap_or(&self.outline[element]).at))
         });
-        fault.at(spot.unwrap_or(Spot { line: 1, column: 1 }))
+        fault.at(spot.unwrap_or(START))
     }
 }
 
@@ -59,5 +62,5 @@ fn unread(message: &str) -> UrdfError {
         let spot = Spot { line: line.parse().ok()?, column: column.parse().ok()? };
         Some(UrdfFault::Syntax(reason.to_owned()).at(spot))
     };
-    located().unwrap_or_else(|| UrdfFault::Syntax(message.to_owned()).at(Spot::default()))
+    located().unwrap_or_else(|| UrdfFault::Syntax(message.to_owned()).at(START))
 }
