@@ -20,6 +20,42 @@ use crate::viewport::Viewport;
 use keys::KeyTable;
 use listing::Listing;
 
+/// What a window works on, in the words of its dialogs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Paper {
+    /// Poses of a figure.
+    #[default]
+    Pose,
+    /// Chains and robots.
+    Chain,
+}
+
+impl Paper {
+    /// One of them: `pose`.
+    const fn noun(self) -> &'static str {
+        match self {
+            Paper::Pose => "pose",
+            Paper::Chain => "chain",
+        }
+    }
+
+    /// What the name of its files ends with.
+    const fn suffix(self) -> &'static str {
+        match self {
+            Paper::Pose => ".pose.ron",
+            Paper::Chain => ".chain.ron",
+        }
+    }
+
+    /// What the window opens, and so lists.
+    const fn opens(self) -> &'static [&'static str] {
+        match self {
+            Paper::Pose => &[".pose.ron"],
+            Paper::Chain => &[".chain.ron", ".urdf"],
+        }
+    }
+}
+
 /// What is to be done once unsaved changes are dealt with.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Intent {
@@ -94,6 +130,7 @@ pub enum Answer {
 /// The dialog that is up, if any, and the desktop's file chooser at work.
 #[derive(Default)]
 pub struct Dialogs {
+    paper: Paper,
     now: Option<Dialog>,
     path: String,
     /// What a picture's name gets if it has no ending.
@@ -110,10 +147,14 @@ pub struct Dialogs {
     sought: String,
 }
 
-const SUFFIX: &str = ".pose.ron";
 const FIGURE_SUFFIX: &str = ".figure.ron";
 
 impl Dialogs {
+    /// Those of a window on such work.
+    pub fn of(paper: Paper) -> Dialogs {
+        Dialogs { paper, ..Dialogs::default() }
+    }
+
     /// Whether a dialog is up.
     pub fn is_open(&self) -> bool {
         self.now.is_some()
@@ -136,7 +177,14 @@ impl Dialogs {
 
     /// Asks where to save, beginning with the present file.
     pub fn save(&mut self, present: Option<&Path>, then: Option<Intent>) {
-        self.path = present.map_or_else(|| format!("unnamed{SUFFIX}"), |path| path.display().to_string());
+        let suffix = self.paper.suffix();
+        self.path = present.map_or_else(|| format!("unnamed{suffix}"), |path| path.display().to_string());
+        // What was opened in another format is saved beside it.
+        if self.paper == Paper::Chain
+            && let Some(bare) = self.path.strip_suffix(".urdf")
+        {
+            self.path = format!("{bare}{suffix}");
+        }
         self.ask(Dialog::SavePath(then));
     }
 
@@ -144,7 +192,7 @@ impl Dialogs {
     pub fn save_picture(&mut self, present: Option<&Path>, choices: &Choices) {
         let pose = present.map_or_else(|| "unnamed".to_owned(), |path| path.display().to_string());
         let ending = picture::ending(choices);
-        self.path = format!("{}{ending}", pose.strip_suffix(SUFFIX).unwrap_or(&pose));
+        self.path = format!("{}{ending}", pose.strip_suffix(self.paper.suffix()).unwrap_or(&pose));
         self.ask(Dialog::PicturePath);
     }
 
@@ -155,12 +203,12 @@ impl Dialogs {
         self.ask(Dialog::FigurePath);
     }
 
-    /// Shows what is up; returns what it came to, once. Settings and keys are changed in place.
+    /// Shows what is up; returns what it came to, once. Settings, keys and what a figure's window shows are changed in place.
     pub fn show(
         &mut self,
         ctx: &Context,
         settings: &mut Settings,
-        viewport: &mut Viewport,
+        viewport: Option<&mut Viewport>,
         keymap: &mut Keymap,
     ) -> Option<Answer> {
         let dialog = self.now.clone()?;
@@ -175,7 +223,7 @@ impl Dialogs {
                 Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath | Dialog::FigurePath => {
                     (answer, close) = self.path(ui, &dialog, settings);
                 }
-                Dialog::Unsaved(intent) => (answer, close) = asking::unsaved(ui, intent),
+                Dialog::Unsaved(intent) => (answer, close) = asking::unsaved(ui, intent, self.paper),
                 Dialog::Replace(writing) => (answer, close) = asking::replace(ui, writing),
                 Dialog::Recover => answer = asking::recover(ui),
                 Dialog::Settings => close = self.settings(ui, settings, viewport, keymap),

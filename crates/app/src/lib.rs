@@ -1,6 +1,7 @@
 //! Posewright, the program: command line, window and disk around the crates that do the work.
 
 mod action;
+mod chains;
 mod choosing;
 pub mod cli;
 mod dialogs;
@@ -29,10 +30,12 @@ mod viewport;
 pub mod window;
 
 pub use action::{Action, Group};
+pub use chains::{ChainPicture, ChainSession};
 pub use finish::Finish;
 pub use keymap::{Chord, Keymap};
 pub use panels::{Overview, Panels, Section};
 pub use session::{Session, Status};
 pub use settings::{ConfigFolder, Look, Settings};
 pub use theme::apply as apply_theme;
-pub use viewport::{Guide, Guides, Viewport, install as install_picture};
+pub use toolbar::Acting;
+pub use viewport::{Body, Guide, Guides, Viewport, install as install_picture};

@@ -1,15 +1,12 @@
-//! Paints egui's output, the figure's picture included, into a texture: the window's or an offscreen one's.
-
-use std::sync::Arc;
+//! Paints egui's output, the picture of a figure or a robot included, into a texture: the window's or an offscreen one's.
 
 use egui::{Context, FullOutput};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
 use render::{DrawError, Gpu};
-use rig::Figure;
 
-use crate::viewport;
+use crate::viewport::{self, Body};
 
-/// Egui's renderer with what draws the figure.
+/// Egui's renderer with what draws the picture.
 pub struct Painter {
     gpu: Gpu,
     renderer: egui_wgpu::Renderer,
@@ -19,10 +16,10 @@ impl Painter {
     /// Makes ready for targets of that format.
     ///
     /// # Errors
-    /// The figure's skin is at fault.
-    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, figure: &Arc<Figure>) -> Result<Painter, DrawError> {
+    /// A mesh of the body is at fault.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, body: &Body) -> Result<Painter, DrawError> {
         let mut painter = Painter::plain(gpu, format);
-        viewport::install(&mut painter.renderer, gpu, format, figure)?;
+        viewport::install(&mut painter.renderer, gpu, format, body)?;
         Ok(painter)
     }
 
@@ -37,7 +34,7 @@ impl Painter {
         &self.gpu
     }
 
-    /// How many pictures of the figure were drawn so far.
+    /// How many pictures of the figure or the robot were drawn so far.
     pub fn pictures(&self) -> u64 {
         viewport::drawn(&self.renderer)
     }

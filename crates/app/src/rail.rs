@@ -37,30 +37,35 @@ pub struct Rail<'a> {
 impl Rail<'_> {
     /// Shows the rail in a rectangle.
     pub fn show(&self, ui: &mut Ui, rect: Rect) -> (Response, Option<Change>) {
+        self.show_in_steps(ui, rect, 1.0)
+    }
+
+    /// The same with a step that an arrow key takes; drags go by tenths of it.
+    pub fn show_in_steps(&self, ui: &mut Ui, rect: Rect, step: f64) -> (Response, Option<Change>) {
         let response = ui
             .interact(rect, egui::Id::unique(("rail", self.name)), Sense::click_and_drag())
             .on_hover_cursor(CursorIcon::ResizeHorizontal);
         response.widget_info(|| WidgetInfo::slider(ui.is_enabled(), self.value, self.name));
-        self.declare(ui, &response);
-        let change = self.change(ui, &response);
+        self.declare(ui, &response, step);
+        let change = self.change(ui, &response, step);
         if ui.is_rect_visible(rect) {
             self.paint(ui, &response);
         }
         (response, change)
     }
 
-    fn declare(&self, ui: &Ui, response: &Response) {
+    fn declare(&self, ui: &Ui, response: &Response, step: f64) {
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_min_numeric_value(self.span.min);
             node.set_max_numeric_value(self.span.max);
-            node.set_numeric_value_step(1.0);
+            node.set_numeric_value_step(step);
             node.add_action(egui::accesskit::Action::SetValue);
             node.add_action(egui::accesskit::Action::Increment);
             node.add_action(egui::accesskit::Action::Decrement);
         });
     }
 
-    fn change(&self, ui: &mut Ui, response: &Response) -> Option<Change> {
+    fn change(&self, ui: &mut Ui, response: &Response, step: f64) -> Option<Change> {
         if response.clicked() || response.drag_started() {
             // The arrow keys go on where the hand left off.
             response.request_focus();
@@ -73,7 +78,7 @@ impl Rail<'_> {
         }
         let steps = steps(ui, response);
         if steps != 0.0 {
-            return Some(Change::Set(((self.value + steps) * 10.0).round() / 10.0));
+            return Some(Change::Set(whole(self.value + steps * step, 0.1 * step)));
         }
         // The goal, not the value: what a range holds back is still owed when the pointer comes back.
         let goal_id = response.id.with("goal");
@@ -82,12 +87,12 @@ impl Rail<'_> {
             return None;
         }
         // Whole tenths: what a hand sets reads well in a file.
-        let (fine, grains) = if ui.input(|i| i.modifiers.shift) { (0.1, 100.0) } else { (1.0, 10.0) };
+        let (fine, grain) = if ui.input(|i| i.modifiers.shift) { (0.1, 0.01) } else { (1.0, 0.1) };
         let per_point = (self.span.max - self.span.min) / f64::from(response.rect.width().max(1.0));
         let former = ui.data(|data| data.get_temp::<f64>(goal_id));
         let goal = former.unwrap_or(self.value) + f64::from(response.drag_delta().x) * per_point * fine;
         ui.data_mut(|data| data.insert_temp(goal_id, goal));
-        (former != Some(goal)).then(|| Change::Preview((goal * grains).round() / grains))
+        (former != Some(goal)).then(|| Change::Preview(whole(goal, grain * step)))
     }
 
     fn x_of(&self, rect: Rect, value: f64) -> f32 {
@@ -151,6 +156,12 @@ impl Rail<'_> {
         let turns = [value - 360.0, value, value + 360.0];
         turns.into_iter().fold(value, |best, v| if live.excess(v) < live.excess(best) { v } else { best })
     }
+}
+
+/// The nearest whole number of grains, as near as decimals come.
+fn whole(value: f64, grain: f64) -> f64 {
+    let grains = (1.0 / grain).round();
+    (value * grains).round() / grains
 }
 
 /// The value that a screen reader or a test asks for.

@@ -16,7 +16,6 @@ use edit::{Document, Editor, Request};
 use egui::{Key, Ui};
 use rig::Pose;
 
-use crate::action::Action;
 use crate::dialogs::Dialogs;
 use crate::disk::Disk;
 use crate::failure::Failure;
@@ -24,8 +23,10 @@ use crate::keymap::Keymap;
 use crate::library::{Folders, Library};
 use crate::panels::Panels;
 use crate::settings::{ConfigFolder, Settings};
+use crate::toolbar::Wish;
 use crate::viewport::Viewport;
 use crate::{status_line, theme, toolbar};
+pub use act::style_of;
 pub use body::MANNEQUIN;
 use recovery::Recovery;
 use saving::Saving;
@@ -77,6 +78,8 @@ pub struct Session {
     saving: Option<Saving>,
     /// Where the figure came from.
     source: body::Source,
+    /// A file that is to be opened in another kind of window.
+    elsewhere: Option<PathBuf>,
 }
 
 impl Session {
@@ -103,6 +106,7 @@ impl Session {
             library: Library::default(),
             saving: None,
             source: body::Source::default(),
+            elsewhere: None,
         }
     }
 
@@ -197,46 +201,6 @@ impl Session {
         }
     }
 
-    /// Whether a switch is on; `None` for actions that switch nothing.
-    pub fn is_on(&self, action: Action) -> Option<bool> {
-        match action {
-            Action::Ranges => Some(self.document().ranges),
-            Action::Marks => Some(self.viewport.marks),
-            Action::Panel => Some(self.settings.panel),
-            Action::Library => Some(self.settings.library),
-            Action::Symmetry => Some(self.document().symmetry),
-            Action::SecondView => Some(self.viewport.side_view),
-            Action::LookThroughPictureCamera => Some(self.viewport.looks_through_picture_camera()),
-            Action::JointPlanes => Some(self.settings.finish.joint_planes),
-            Action::AmbientOcclusion => Some(self.settings.finish.ambient_occlusion),
-            Action::Projection => Some(self.viewport.camera.projection == rig::Projection::Orthographic),
-            Action::Lock => {
-                let chosen = self.panels.selection();
-                Some(
-                    !chosen.is_empty()
-                        && chosen.bones().iter().all(|bone| self.document().locks.contains(*bone)),
-                )
-            }
-            _ => act::style_of(action).map(|style| style == self.settings.finish.style),
-        }
-    }
-
-    /// Whether an action can do something now.
-    pub fn can(&self, action: Action) -> bool {
-        let chosen = !self.panels.selection().is_empty();
-        match action {
-            Action::Undo => self.editor.undo_name().is_some(),
-            Action::Redo => self.editor.redo_name().is_some(),
-            Action::Parent | Action::Child | Action::SelectNone | Action::Lock | Action::ClearRotation => {
-                chosen
-            }
-            Action::CycleContact | Action::Flip => {
-                self.panels.selected().is_some_and(|bone| rig::Limb::of(bone).is_some())
-            }
-            _ => true,
-        }
-    }
-
     /// Draws everything and does what was asked for.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.show_as_chosen(ui.ctx());
@@ -245,8 +209,11 @@ impl Session {
             self.keys(ui);
         }
         let asked = toolbar::show(ui, self);
-        for action in asked {
-            self.act(ui.ctx(), action);
+        for wish in asked {
+            match wish {
+                Wish::Do(action) => self.act(ui.ctx(), action),
+                Wish::Open(path) => self.open_asking(path.into()),
+            }
         }
         status_line::show(ui, self);
         if self.settings.panel {
@@ -331,7 +298,7 @@ impl Session {
 
     fn dialogs(&mut self, ui: &Ui) {
         let keys = self.keymap.clone();
-        let answer = self.dialogs.show(ui.ctx(), &mut self.settings, &mut self.viewport, &mut self.keymap);
+        let answer = self.dialogs.show(ui.ctx(), &mut self.settings, Some(&mut self.viewport), &mut self.keymap);
         if keys != self.keymap {
             self.viewport.keymap = self.keymap.clone();
             self.keep_keys();

@@ -84,6 +84,13 @@ impl Settings {
         let scale = if scale.is_finite() { scale } else { 1.0 };
         self.ui_scale = scale.clamp(*Settings::UI_SCALES.start(), *Settings::UI_SCALES.end());
     }
+
+    /// Makes text and controls larger or smaller by so many presses of a key, from a size. By whole steps, so that going up
+    /// and down again leads back.
+    pub fn step_ui_scale(&mut self, from: f32, presses: f32) {
+        const STEP: f32 = 0.1;
+        self.set_ui_scale((from / STEP + presses).round() * STEP);
+    }
 }
 
 fn scale<'de, D: Deserializer<'de>>(from: D) -> Result<f32, D::Error> {

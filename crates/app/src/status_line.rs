@@ -7,7 +7,7 @@ use rig::Limb;
 
 use crate::session::Session;
 use crate::{keycap, labels, reaching, sign, theme};
-use hints::Hint;
+pub use hints::Hint;
 
 /// Shows the line.
 pub fn show(ui: &mut Ui, session: &Session) {
@@ -30,7 +30,8 @@ pub fn show(ui: &mut Ui, session: &Session) {
     });
 }
 
-fn text(ui: &mut Ui, words: impl Into<String>, color: Color32) {
+/// Words of the line, cut off where there is no room.
+pub fn text(ui: &mut Ui, words: impl Into<String>, color: Color32) {
     ui.add(Label::new(RichText::new(words).size(12.0).color(color)).truncate());
 }
 
@@ -68,7 +69,7 @@ fn news(ui: &mut Ui, session: &Session) {
 }
 
 /// Shows a hint if there is room for it whole; whether there was.
-fn show_hint(ui: &mut Ui, hint: &Hint) -> bool {
+pub fn show_hint(ui: &mut Ui, hint: &Hint) -> bool {
     let palette = theme::of(ui);
     let font = egui::FontId::proportional(12.0);
     let measured = format!("{}    {}", hint.keys.join("    "), hint.does);

@@ -3,19 +3,19 @@
 //! What the pointer does to the figure is told to [`edit::Hands`], what it does to the view to [`edit::Navigator`];
 //! this only translates egui's input, and draws. Every change of the pose leaves as a request.
 
-mod axis_ball;
+pub mod axis_ball;
 pub mod backdrop;
 pub mod balance;
-mod drawing;
+pub mod drawing;
 mod framed;
 mod guides;
 mod handles;
 mod marks;
-mod navigation;
+pub mod navigation;
 pub mod pace;
 mod picture;
 mod picture_camera;
-mod pointer;
+pub mod pointer;
 mod side_view;
 
 use std::collections::VecDeque;
@@ -30,8 +30,7 @@ use backdrop::Backdrop;
 use drawing::{Drawing, write_words};
 pub use guides::{Guide, Guides};
 use pace::{Pace, Quality};
-use picture::Picture;
-pub use picture::{drawn, install};
+pub use picture::{Body, Part, Picture, drawn, install};
 
 use crate::finish::Finish;
 use crate::keymap::Keymap;

@@ -1,5 +1,6 @@
 //! The window: its event loop, and the same window drawn without a display.
 
+mod desk;
 mod display;
 mod frames;
 mod offscreen;
@@ -14,32 +15,39 @@ use edit::Editor;
 use rig::Figure;
 
 use crate::failure::Failure;
-use crate::keepsafe::Keepsafe;
-use crate::library::Folders;
 use crate::load::{self, Kind};
 use crate::session::{MANNEQUIN, Session};
-use crate::settings::ConfigFolder;
 
-pub use offscreen::{session_picture, ui_picture};
+use desk::Desk;
+pub use offscreen::{chain_ui_picture, session_picture, ui_picture};
 pub use showing::Showing;
 
 /// Opens the window on files and returns when it is closed.
 ///
-/// Without a file the figure stands relaxed. A figure file brings the figure, another file its pose.
+/// Without a file the figure stands relaxed. A figure file brings the figure, another file its pose; a chain or a robot has the
+/// window for itself.
 /// With `ui_map` the place of every labelled control is written there after each frame.
 ///
 /// # Errors
 /// No display or no adapter, with the cure; files at fault.
 pub fn run(files: &[PathBuf], ui_map: Option<&Path>) -> Result<(), Failure> {
-    let mut session = session(files)?;
-    session.use_library(Folders::of_user());
-    if let Some(folder) = ConfigFolder::of_user() {
-        session.configure_from(folder);
+    frames::run(desk(files)?.of_user(), ui_map.map(Path::to_owned))
+}
+
+/// The desk that a command line asks for.
+fn desk(files: &[PathBuf]) -> Result<Desk, Failure> {
+    for path in files {
+        if let Some(desk) = Desk::of_chain(path)? {
+            return match files {
+                [_] => Ok(desk),
+                _ => {
+                    let message = format!("{}: a chain can't be open beside another file", path.display());
+                    Err(Failure::Usage(message))
+                }
+            };
+        }
     }
-    if let Some(folder) = Keepsafe::folder() {
-        session.keep_in(&folder);
-    }
-    frames::run(session, ui_map.map(Path::to_owned))
+    session(files).map(|session| Desk::Figure(Box::new(session)))
 }
 
 /// The session that a command line asks for.

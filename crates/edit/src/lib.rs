@@ -39,9 +39,10 @@ mod telling;
 mod typed;
 
 pub use chain::{
-    ChainCommand, ChainDocument, ChainEditor, ChainGoal, ChainJointReport, ChainLinkReport, ChainOutcome,
-    ChainPart, ChainReach, ChainReport, ChainRequest, ChainRoot, ChainScript, ChainSolver, ReachReport,
-    chain_of_script, parse_chain_script, run_chain_script,
+    ChainCommand, ChainDocument, ChainEditor, ChainGoal, ChainHandle, ChainHands, ChainJointReport,
+    ChainLinkReport, ChainNode, ChainOutcome, ChainPart, ChainReach, ChainReport, ChainRequest, ChainRoot,
+    ChainScript, ChainShape, ChainSolver, ChainSpot, ChainStage, ChainTrack, LinkHit, LinkPicker, ReachReport,
+    chain_axis, chain_handles, chain_of_script, parse_chain_script, run_chain_script,
 };
 pub use circle::{Circle, NearCircle};
 pub use clay::Clay;

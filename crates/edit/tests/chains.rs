@@ -1,5 +1,7 @@
 //! Commands on chains: what each moves and keeps, what it turns down, and the way back.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::sync::Arc;
 
 use edit::{

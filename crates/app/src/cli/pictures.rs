@@ -13,7 +13,7 @@ use crate::load::{self, Kind};
 use crate::picture::{
     Darkroom, Facts, Format, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable, write_png,
 };
-use crate::window::{Showing, ui_picture};
+use crate::window::{Showing, chain_ui_picture, ui_picture};
 
 /// As many frames a turntable has at most.
 const MOST_FRAMES: u64 = 10_000;
@@ -208,6 +208,9 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
     }
     let viewpoint = told.viewpoint.viewpoint();
     let subject = if load::shows_chain(&told.file)? {
+        if told.ui {
+            return chain_window(told);
+        }
         let (editor, _) = load::chain_editor(&told.file)?;
         Subject::of_chain(editor.document())
     } else {
@@ -259,4 +262,15 @@ fn window(told: &RenderArguments, editor: &edit::Editor, view: View) -> Result<(
     let image = ui_picture(editor, &told.file, view, finish, told.size, &told.showing)?;
     let facts = Facts::new(&title_of(&told.file), &editor.figure().name);
     write_png(&image, &facts, &told.output)
+}
+
+/// A picture of the whole window on a chain.
+fn chain_window(told: &RenderArguments) -> Result<(), Failure> {
+    if Naming::of(&told.output)?.format != Format::Png {
+        return Err(Failure::Usage("a picture of the window is a .png".to_owned()));
+    }
+    let finish = Finish::of(&told.look.look(told.style));
+    let image = chain_ui_picture(&told.file, finish, told.size, &told.showing)?;
+    let title = title_of(&told.file);
+    write_png(&image, &Facts::new(&title, &title), &told.output)
 }

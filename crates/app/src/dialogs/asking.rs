@@ -2,11 +2,11 @@
 
 use egui::Ui;
 
-use super::{Answer, Intent, Writing};
+use super::{Answer, Intent, Paper, Writing};
 
 /// What becomes of unsaved changes; whether the dialog closes without an answer.
-pub fn unsaved(ui: &mut Ui, intent: &Intent) -> (Option<Answer>, bool) {
-    ui.heading("The pose is not saved");
+pub fn unsaved(ui: &mut Ui, intent: &Intent, paper: Paper) -> (Option<Answer>, bool) {
+    ui.heading(format!("The {} is not saved", paper.noun()));
     ui.add_space(4.0);
     let next = match intent {
         Intent::Open(_) => "before another one is opened",

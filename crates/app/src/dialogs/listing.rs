@@ -1,13 +1,12 @@
-//! The poses in the folder that a path field names.
+//! The poses, or chains, in the folder that a path field names.
 
 use std::path::{Path, PathBuf};
 
 use egui::{ScrollArea, Ui};
 
-use super::SUFFIX;
 use crate::theme;
 
-/// The names of a folder's poses, read once for each folder.
+/// The names of a folder's files of some kinds, read once for each folder.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Listing {
     folder: Option<PathBuf>,
@@ -28,7 +27,7 @@ pub enum Pick {
 
 impl Listing {
     /// Reads the folder of a path, if it is another one than before.
-    pub fn follow(&mut self, path: &str) {
+    pub fn follow(&mut self, path: &str, endings: &[&str]) {
         let path = Path::new(path);
         let named = if path.as_os_str().to_string_lossy().ends_with(['/', '\\']) {
             Some(path)
@@ -37,7 +36,7 @@ impl Listing {
         };
         let folder = named.filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         if self.folder.as_deref() != Some(folder) {
-            self.names = poses(folder);
+            self.names = files(folder, endings);
             self.folder = Some(folder.to_owned());
         }
     }
@@ -79,11 +78,12 @@ impl Listing {
     }
 }
 
-/// The poses in a folder, by name; none if it can't be read.
-fn poses(folder: &Path) -> Vec<String> {
+/// The files in a folder with such an ending, by name; none if it can't be read.
+fn files(folder: &Path, endings: &[&str]) -> Vec<String> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let names = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
-    let mut names: Vec<String> = names.filter(|name| name.ends_with(SUFFIX)).take(MOST).collect();
+    let mut names: Vec<String> =
+        names.filter(|name| endings.iter().any(|ending| name.ends_with(ending))).take(MOST).collect();
     names.sort();
     names
 }

@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use egui::{Context, Id, Key, RichText, TextEdit, Ui};
 
 use super::listing::Pick;
-use super::{Answer, Dialog, Dialogs, FIGURE_SUFFIX, SUFFIX, Writing, picture};
+use super::{Answer, Dialog, Dialogs, FIGURE_SUFFIX, Paper, Writing, picture};
 use crate::picture::Format;
 use crate::settings::Settings;
 
@@ -18,18 +18,18 @@ impl Dialogs {
         settings: &mut Settings,
     ) -> (Option<Answer>, bool) {
         let (title, verb, what) = match dialog {
-            Dialog::OpenPath => ("Open a pose", "Open", "pose"),
-            Dialog::PicturePath => ("Save the picture", "Save", "picture"),
-            Dialog::FigurePath => ("Save the figure", "Save", "figure"),
-            _ => ("Save the pose", "Save", "pose"),
+            Dialog::OpenPath => ("Open a", "Open", self.paper.noun()),
+            Dialog::PicturePath => ("Save the", "Save", "picture"),
+            Dialog::FigurePath => ("Save the", "Save", "figure"),
+            _ => ("Save the", "Save", self.paper.noun()),
         };
-        ui.heading(title);
+        ui.heading(format!("{title} {what}"));
         ui.add_space(6.0);
         let field = TextEdit::singleline(&mut self.path).desired_width(f32::INFINITY).hint_text("a path");
         let response = ui.add(field).accessible_name("File path");
         if std::mem::take(&mut self.fresh) {
             response.request_focus();
-            select_name(ui, response.id, &self.path);
+            select_name(ui, response.id, &self.path, self.paper);
         }
         let mut entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if self.unchosen {
@@ -62,7 +62,7 @@ impl Dialogs {
             });
         });
         if clicked[2] {
-            self.chooser = Some(browse(ui.ctx(), dialog, &self.path));
+            self.chooser = Some(browse(ui.ctx(), dialog, &self.path, self.paper));
         }
         let answer = (entered || clicked[0]).then(|| self.answer(dialog)).flatten();
         (answer, clicked[1])
@@ -76,9 +76,9 @@ impl Dialogs {
         }
     }
 
-    /// Lists the folder's poses; whether one was taken.
+    /// Lists the folder's poses or chains; whether one was taken.
     fn list(&mut self, ui: &mut Ui) -> bool {
-        self.listing.follow(&self.path);
+        self.listing.follow(&self.path, self.paper.opens());
         match self.listing.show(ui) {
             Some(Pick::Chosen(name)) => {
                 self.path = self.listing.path(&name);
@@ -112,7 +112,9 @@ impl Dialogs {
 
     fn answer_of(&self, dialog: &Dialog, path: PathBuf) -> Answer {
         match dialog {
-            Dialog::SavePath(then) => Answer::Write(Writing::Pose(with_suffix(path, SUFFIX), then.clone())),
+            Dialog::SavePath(then) => {
+                Answer::Write(Writing::Pose(with_suffix(path, self.paper.suffix()), then.clone()))
+            }
             Dialog::FigurePath => Answer::Write(Writing::Figure(with_suffix(path, FIGURE_SUFFIX))),
             Dialog::PicturePath => Answer::Write(Writing::Picture(with_suffix(path, self.picture_ending))),
             _ => Answer::Open(path),
@@ -140,11 +142,11 @@ fn with_suffix(path: PathBuf, suffix: &str) -> PathBuf {
 }
 
 /// Selects the file's name without its folder and its suffix, so that typing replaces just that.
-fn select_name(ui: &Ui, id: Id, path: &str) {
+fn select_name(ui: &Ui, id: Id, path: &str, paper: Paper) {
     use egui::text::{CCursor, CCursorRange};
     let start = path.rfind(['/', '\\']).map_or(0, |i| i + 1);
     let pictures = Format::ALL.map(|format| format!(".{}", format.ending()));
-    let mut suffixes = [SUFFIX, FIGURE_SUFFIX].into_iter().chain(pictures.iter().map(String::as_str));
+    let mut suffixes = [paper.suffix(), FIGURE_SUFFIX].into_iter().chain(pictures.iter().map(String::as_str));
     let bare = suffixes.find_map(|suffix| path.strip_suffix(suffix));
     let end = bare.map_or(path.len(), str::len).max(start);
     let chars = |bytes: usize| CCursor::new(path[..bytes].chars().count());
@@ -154,7 +156,7 @@ fn select_name(ui: &Ui, id: Id, path: &str) {
 }
 
 /// Asks the desktop for a file on a thread of its own; the window is woken when it is done.
-fn browse(ctx: &Context, dialog: &Dialog, path: &str) -> Receiver<Option<PathBuf>> {
+fn browse(ctx: &Context, dialog: &Dialog, path: &str, paper: Paper) -> Receiver<Option<PathBuf>> {
     let (sender, receiver) = channel();
     let (ctx, saving) = (ctx.clone(), !matches!(dialog, Dialog::OpenPath));
     let path = PathBuf::from(path);
@@ -163,7 +165,10 @@ fn browse(ctx: &Context, dialog: &Dialog, path: &str) -> Receiver<Option<PathBuf
             rfd::FileDialog::new().add_filter("Pictures", &Format::ALL.map(Format::ending))
         }
         Dialog::FigurePath => rfd::FileDialog::new().add_filter("Figures", &["ron"]),
-        _ => rfd::FileDialog::new().add_filter("Poses", &["ron"]),
+        _ => match paper {
+            Paper::Pose => rfd::FileDialog::new().add_filter("Poses", &["ron"]),
+            Paper::Chain => rfd::FileDialog::new().add_filter("Chains and robots", &["ron", "urdf"]),
+        },
     };
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         chooser = chooser.set_directory(folder);
@@ -186,8 +191,8 @@ mod tests {
 
     #[test]
     fn a_name_without_extension_becomes_a_pose() {
-        assert_eq!(with_suffix("a/b".into(), SUFFIX), PathBuf::from("a/b.pose.ron"));
-        assert_eq!(with_suffix("b.pose.ron".into(), SUFFIX), PathBuf::from("b.pose.ron"));
-        assert_eq!(with_suffix("b.ron".into(), SUFFIX), PathBuf::from("b.ron"));
+        assert_eq!(with_suffix("a/b".into(), Paper::Pose.suffix()), PathBuf::from("a/b.pose.ron"));
+        assert_eq!(with_suffix("b.pose.ron".into(), Paper::Pose.suffix()), PathBuf::from("b.pose.ron"));
+        assert_eq!(with_suffix("b.ron".into(), Paper::Pose.suffix()), PathBuf::from("b.ron"));
     }
 }

@@ -28,7 +28,7 @@ impl Dialogs {
         &mut self,
         ui: &mut Ui,
         settings: &mut Settings,
-        viewport: &mut Viewport,
+        viewport: Option<&mut Viewport>,
         keymap: &mut Keymap,
     ) -> bool {
         ui.heading("Settings");
@@ -47,7 +47,10 @@ impl Dialogs {
             ui.set_min_height(room);
             match self.section {
                 Section::Look => look(ui, settings, viewport),
-                Section::Navigation => navigation(ui, &mut viewport.preset),
+                Section::Navigation => match viewport {
+                    Some(viewport) => navigation(ui, &mut viewport.preset),
+                    None => navigation(ui, &mut settings.navigation),
+                },
                 Section::Keys => self.key_table.show(ui, keymap, room),
             }
         });
@@ -56,7 +59,7 @@ impl Dialogs {
     }
 }
 
-fn look(ui: &mut Ui, settings: &mut Settings, viewport: &mut Viewport) {
+fn look(ui: &mut Ui, settings: &mut Settings, viewport: Option<&mut Viewport>) {
     ui.strong("Theme");
     ui.horizontal(|ui| {
         for (look, name) in [(Look::Dark, "Dark"), (Look::Light, "Light"), (Look::System, "As the desktop")] {
@@ -66,6 +69,13 @@ fn look(ui: &mut Ui, settings: &mut Settings, viewport: &mut Viewport) {
     ui.add_space(10.0);
     ui.strong("Size of text and controls");
     size(ui, settings);
+    if let Some(viewport) = viewport {
+        of_figure(ui, settings, viewport);
+    }
+}
+
+/// What only the window of a figure has.
+fn of_figure(ui: &mut Ui, settings: &mut Settings, viewport: &mut Viewport) {
     ui.add_space(10.0);
     ui.strong("Show");
     ui.checkbox(&mut settings.panel, "Body and sliders");

@@ -2,7 +2,7 @@
 
 use egui::{RichText, ScrollArea, TextEdit, Ui};
 
-use super::Dialogs;
+use super::{Dialogs, Paper};
 use crate::action::{Action, Group};
 use crate::keymap::Keymap;
 use crate::{keycap, theme};
@@ -36,6 +36,30 @@ const GESTURES: [(&str, &[(&str, &str)]); 3] = [
             ("Click a number", "type it; or drag it"),
         ],
     ),
+];
+
+/// The same in a window on a chain.
+const CHAIN_GESTURES: [(&str, &[(&str, &str)]); 4] = [
+    (
+        "On the chain",
+        &[
+            ("Click", "choose the joint of a link"),
+            ("Drag a link", "reach: the joints before it follow"),
+            ("Drag a ring", "turn about that axis"),
+            ("Drag an arrow", "slide along it"),
+        ],
+    ),
+    (
+        "Driving by keys",
+        &[
+            ("Space", "the next joint, to the tip and round again"),
+            ("Shift+Space", "the joint before"),
+            ("Up Down", "turn or slide it; the longer, the faster"),
+            ("Left Right", "slide it; on the root, move the chain"),
+        ],
+    ),
+    (GESTURES[1].0, GESTURES[1].1),
+    (GESTURES[2].0, GESTURES[2].1),
 ];
 
 /// What goes with the keys of a drag.
@@ -74,7 +98,7 @@ impl Dialogs {
             }
         });
         ui.add_space(4.0);
-        let blocks = blocks(keymap, &self.sought.to_lowercase());
+        let blocks = blocks(self.paper, keymap, &self.sought.to_lowercase());
         let room = (ui.ctx().content_rect().height() - FRAME).max(120.0);
         let count = ((ui.available_width() / COLUMN) as usize).clamp(1, 3);
         let scroll = ScrollArea::vertical().max_height(room).min_scrolled_height(room);
@@ -93,16 +117,23 @@ impl Dialogs {
     }
 }
 
-fn blocks(keymap: &Keymap, sought: &str) -> Vec<Block> {
-    let gestures = GESTURES.iter().map(|(title, rows)| Block {
+fn blocks(paper: Paper, keymap: &Keymap, sought: &str) -> Vec<Block> {
+    let (gestures, dragging) = match paper {
+        Paper::Pose => (&GESTURES[..], &DRAGGING[..]),
+        // Numbers are not typed into a drag of a chain.
+        Paper::Chain => (&CHAIN_GESTURES[..], &[DRAGGING[0], DRAGGING[1], DRAGGING[4]][..]),
+    };
+    let known = |action: &Action| paper == Paper::Pose || crate::chains::knows(*action);
+    let gestures = gestures.iter().map(|(title, rows)| Block {
         title,
         rows: rows.iter().map(|(what, does)| (vec![(*what).to_owned()], (*does).to_owned())).collect(),
     });
     let fixed = |(what, does): &(&str, &str)| (vec![(*what).to_owned()], (*does).to_owned());
     let keys = Group::ALL.into_iter().map(|group| {
-        let bound = Action::of_group(group).filter(|action| !keymap.chords(*action).is_empty());
+        let bound =
+            Action::of_group(group).filter(|action| known(action) && !keymap.chords(*action).is_empty());
         let rows = bound.map(|action| (keys_of(keymap, action), action.words().to_owned()));
-        let besides = if group == Group::Drag { &DRAGGING[..] } else { &[] };
+        let besides = if group == Group::Drag { dragging } else { &[] };
         Block { title: group.words(), rows: rows.chain(besides.iter().map(fixed)).collect() }
     });
     let mut blocks: Vec<Block> = gestures.chain(keys).collect();
@@ -166,19 +197,19 @@ mod tests {
     #[test]
     fn the_sheet_holds_every_key_and_finds_by_word_and_by_key() {
         let keymap = Keymap::default();
-        let rows: usize = blocks(&keymap, "").iter().map(|block| block.rows.len()).sum();
+        let rows: usize = blocks(Paper::Pose, &keymap, "").iter().map(|block| block.rows.len()).sum();
         let gestures: usize = GESTURES.iter().map(|(_, rows)| rows.len()).sum();
         let bound = Action::ALL.iter().filter(|action| !keymap.chords(**action).is_empty()).count();
         assert_eq!(rows, gestures + DRAGGING.len() + bound);
-        let found = blocks(&keymap, "ctrl+shift+z");
+        let found = blocks(Paper::Pose, &keymap, "ctrl+shift+z");
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].rows[0].1, Action::Redo.words());
-        assert!(blocks(&keymap, "xyzzy").is_empty());
+        assert!(blocks(Paper::Pose, &keymap, "xyzzy").is_empty());
     }
 
     #[test]
     fn columns_hold_every_block_once_in_order() {
-        let blocks = blocks(&Keymap::default(), "");
+        let blocks = blocks(Paper::Pose, &Keymap::default(), "");
         for count in 1..=3 {
             let columns = dealt(&blocks, count);
             assert_eq!(columns.len(), count);

@@ -10,6 +10,7 @@ use super::Kind;
 use crate::disk::{MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::chains;
+use crate::library::shipped::PREFIX;
 
 /// How many folders above a robot's own are searched for its meshes.
 const LEVELS: usize = 6;
@@ -52,7 +53,10 @@ pub fn chain(path: &Path) -> Result<(ChainFile, Vec<String>), Failure> {
             .map_err(|e| Failure::Input(e.named(&path.display().to_string()).to_string()))?;
     // Meshes are named from the file that names them.
     let shipped = chains::is_shipped(&path.to_string_lossy());
-    let named = chain.urdf.as_ref().filter(|_| !shipped).map(|urdf| path.with_file_name(urdf));
+    let named = chain.urdf.as_ref().filter(|_| !shipped).map(|urdf| match chains::is_shipped(urdf) {
+        true => PathBuf::from(urdf),
+        false => path.with_file_name(urdf),
+    });
     warnings.extend(fill(&mut chain.robot, named.as_deref().unwrap_or(path)));
     Ok((chain, warnings))
 }
@@ -67,15 +71,19 @@ fn text_of(path: &Path) -> Result<String, Failure> {
 
 /// The bytes of a file that another one names from its folder.
 fn near(path: &Path, name: &str) -> Result<Vec<u8>, String> {
+    if chains::is_shipped(name) {
+        return shipped(name);
+    }
     match chains::bytes(&path.to_string_lossy()) {
         Some(_) => shipped(name),
         None => super::beside(path)(name),
     }
 }
 
-/// The bytes of a shipped file by its name among them.
+/// The bytes of a shipped file by its name among them, with `library:` before it or without.
 fn shipped(name: &str) -> Result<Vec<u8>, String> {
-    chains::bytes(&format!("{}{name}", crate::library::shipped::PREFIX))
+    let bare = name.strip_prefix(PREFIX).unwrap_or(name);
+    chains::bytes(&format!("{PREFIX}{bare}"))
         .unwrap_or_else(|| Err(format!("{name}: no shipped file")))
         .map(<[u8]>::to_vec)
 }
@@ -92,6 +100,9 @@ fn fill(robot: &mut Robot, path: &Path) -> Vec<String> {
 }
 
 fn mesh(folder: &Path, file: &str) -> Result<Solid, String> {
+    if chains::is_shipped(file) {
+        return interchange::solid::read(file, &shipped(file)?, &mut |name| shipped(name));
+    }
     let found = candidates(folder, file).into_iter().find(|p| p.is_file());
     let path = found.ok_or_else(|| "there is no such file".to_owned())?;
     let bytes = read_bytes(&path, MODEL_LIMIT).map_err(|e| e.to_string())?;

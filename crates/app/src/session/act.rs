@@ -8,10 +8,9 @@ use rig::{Contact, Limb, Locks, Part, View};
 use super::Session;
 use crate::action::{Action, Group};
 use crate::dialogs::{Dialog, Intent};
-use crate::settings::{Look, Settings};
-
-/// One press makes text and controls larger by this.
-const SCALE_STEP: f32 = 0.1;
+use crate::keymap::Keymap;
+use crate::settings::Look;
+use crate::toolbar::Acting;
 
 impl Session {
     /// Does what an action says, as if its key had been pressed.
@@ -194,8 +193,8 @@ impl Session {
             Action::Theme => {
                 settings.look = if ctx.theme() == egui::Theme::Dark { Look::Light } else { Look::Dark };
             }
-            Action::LargerUi => scale(settings, ctx.zoom_factor() + SCALE_STEP),
-            Action::SmallerUi => scale(settings, ctx.zoom_factor() - SCALE_STEP),
+            Action::LargerUi => settings.step_ui_scale(ctx.zoom_factor(), 1.0),
+            Action::SmallerUi => settings.step_ui_scale(ctx.zoom_factor(), -1.0),
             Action::ResetUi => settings.ui_scale = 1.0,
             Action::Controls => ctx.memory_mut(|m| m.move_focus(egui::FocusDirection::Next)),
             Action::Help => self.dialogs.ask(Dialog::Help),
@@ -204,8 +203,60 @@ impl Session {
     }
 }
 
+impl Acting for Session {
+    fn keymap(&self) -> &Keymap {
+        &self.keymap
+    }
+
+    fn is_on(&self, action: Action) -> Option<bool> {
+        match action {
+            Action::Ranges => Some(self.document().ranges),
+            Action::Marks => Some(self.viewport.marks),
+            Action::Panel => Some(self.settings.panel),
+            Action::Library => Some(self.settings.library),
+            Action::Symmetry => Some(self.document().symmetry),
+            Action::SecondView => Some(self.viewport.side_view),
+            Action::LookThroughPictureCamera => Some(self.viewport.looks_through_picture_camera()),
+            Action::JointPlanes => Some(self.settings.finish.joint_planes),
+            Action::AmbientOcclusion => Some(self.settings.finish.ambient_occlusion),
+            Action::Projection => Some(self.viewport.camera.projection == rig::Projection::Orthographic),
+            Action::Lock => {
+                let chosen = self.panels.selection();
+                Some(
+                    !chosen.is_empty()
+                        && chosen.bones().iter().all(|bone| self.document().locks.contains(*bone)),
+                )
+            }
+            _ => style_of(action).map(|style| style == self.settings.finish.style),
+        }
+    }
+
+    fn can(&self, action: Action) -> bool {
+        let chosen = !self.panels.selection().is_empty();
+        match action {
+            Action::Undo => self.editor.undo_name().is_some(),
+            Action::Redo => self.editor.redo_name().is_some(),
+            Action::Parent | Action::Child | Action::SelectNone | Action::Lock | Action::ClearRotation => {
+                chosen
+            }
+            Action::CycleContact | Action::Flip => {
+                self.panels.selected().is_some_and(|bone| Limb::of(bone).is_some())
+            }
+            _ => true,
+        }
+    }
+
+    fn undo_name(&self) -> Option<&str> {
+        self.editor.undo_name()
+    }
+
+    fn redo_name(&self) -> Option<&str> {
+        self.editor.redo_name()
+    }
+}
+
 /// The style that an action chooses.
-pub(super) const fn style_of(action: Action) -> Option<Style> {
+pub const fn style_of(action: Action) -> Option<Style> {
     match action {
         Action::StudioLook => Some(Style::Studio),
         Action::ClayLook => Some(Style::Clay),
@@ -214,9 +265,4 @@ pub(super) const fn style_of(action: Action) -> Option<Style> {
         Action::LineLook => Some(Style::Line),
         _ => None,
     }
-}
-
-/// By whole steps, so that going up and down again leads back.
-fn scale(settings: &mut Settings, to: f32) {
-    settings.set_ui_scale((to / SCALE_STEP).round() * SCALE_STEP);
 }

@@ -60,6 +60,16 @@ impl Session {
         self.intend(Intent::Quit);
     }
 
+    /// The file of a chain that a window on it should be opened with, if there is one: asked for once.
+    pub fn take_elsewhere(&mut self) -> Option<PathBuf> {
+        self.elsewhere.take()
+    }
+
+    /// Tells in the status line why something failed.
+    pub fn tell_failure(&mut self, failure: Failure) {
+        self.tell(Err(failure));
+    }
+
     /// Does what is wanted, or asks first if the pose isn't saved.
     pub(super) fn intend(&mut self, intent: Intent) {
         if self.is_modified() {
@@ -74,6 +84,9 @@ impl Session {
             Intent::Quit => self.quit = true,
             Intent::New => self.begin_anew(),
             Intent::Open(None) => self.dialogs.open(self.path.as_deref()),
+            Intent::Open(Some(path)) if load::shows_chain(&path).unwrap_or(false) => {
+                self.elsewhere = Some(path);
+            }
             Intent::Open(Some(path)) => {
                 let opened = self.open(&path);
                 self.tell(opened);

@@ -5,6 +5,7 @@ use egui::Pos2;
 
 use crate::action::Action;
 use crate::session::Session;
+use crate::toolbar::Acting;
 
 /// Keys or gestures, and what they do; without keys, what is going on.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -13,6 +14,13 @@ pub struct Hint {
     pub keys: Vec<String>,
     /// What comes of them.
     pub does: String,
+}
+
+impl Hint {
+    /// Keys and what they do.
+    pub fn of(keys: &[&str], does: &str) -> Hint {
+        Hint { keys: keys.iter().map(|key| (*key).to_owned()).collect(), does: does.to_owned() }
+    }
 }
 
 /// The hints that fit the moment and the place of the pointer, the most telling first.
@@ -56,7 +64,7 @@ fn caps(keys: &str) -> Vec<String> {
 }
 
 fn one(key: &str, does: &str) -> Hint {
-    Hint { keys: vec![key.to_owned()], does: does.to_owned() }
+    Hint::of(&[key], does)
 }
 
 fn of_action(session: &Session, action: Action, does: &str) -> Option<Hint> {

@@ -2,9 +2,14 @@
 
 use egui::{Button, Ui};
 
+use super::{Acting, Wish};
 use crate::action::Action;
-use crate::session::Session;
+use crate::library::chains::CHAINS;
+use crate::session::MANNEQUIN;
 use crate::{sign, theme};
+
+/// A menu: its name and what is in it.
+pub struct Menu(&'static str, &'static [Entry]);
 
 /// One entry of a menu.
 enum Entry {
@@ -12,9 +17,13 @@ enum Entry {
     Line,
     /// A line of words over what follows.
     Title(&'static str),
+    /// The chains that come with the program.
+    Chains,
+    /// The figure that comes with it.
+    Mannequin,
 }
 
-use Entry::{Do, Line, Title};
+use Entry::{Chains, Do, Line, Mannequin, Title};
 
 const FILE: &[Entry] = &[
     Do(Action::New),
@@ -23,6 +32,9 @@ const FILE: &[Entry] = &[
     Do(Action::Save),
     Do(Action::SaveAs),
     Do(Action::SavePicture),
+    Line,
+    Title("Robots and chains"),
+    Chains,
     Line,
     Do(Action::Quit),
 ];
@@ -101,26 +113,99 @@ const POSE: &[Entry] = &[
     Do(Action::Ranges),
 ];
 
+/// The menus of a figure's window.
+pub const FIGURE: &[Menu] = &[Menu("File", FILE), Menu("Edit", EDIT), Menu("View", VIEW), Menu("Pose", POSE)];
+
+/// The menus of a chain's window.
+pub const CHAIN: &[Menu] = &[
+    Menu(
+        "File",
+        &[
+            Do(Action::Open),
+            Line,
+            Do(Action::Save),
+            Do(Action::SaveAs),
+            Line,
+            Title("Robots and chains"),
+            Chains,
+            Line,
+            Title("Figures"),
+            Mannequin,
+            Line,
+            Do(Action::Quit),
+        ],
+    ),
+    Menu(
+        "Edit",
+        &[
+            Do(Action::Undo),
+            Do(Action::Redo),
+            Line,
+            Title("Choose"),
+            Do(Action::Parent),
+            Do(Action::Child),
+            Do(Action::NextJoint),
+            Do(Action::PreviousJoint),
+            Line,
+            Do(Action::Settings),
+        ],
+    ),
+    Menu(
+        "View",
+        &[
+            Title("Seen from"),
+            Do(Action::Front),
+            Do(Action::Back),
+            Do(Action::Left),
+            Do(Action::Right),
+            Do(Action::Top),
+            Do(Action::Bottom),
+            Do(Action::ThreeQuarter),
+            Do(Action::Opposite),
+            Line,
+            Do(Action::Projection),
+            Do(Action::FrameSelection),
+            Do(Action::FrameAll),
+            Line,
+            Title("Look"),
+            Do(Action::StudioLook),
+            Do(Action::ClayLook),
+            Do(Action::MatcapLook),
+            Do(Action::FlatLook),
+            Do(Action::LineLook),
+            Do(Action::AmbientOcclusion),
+            Line,
+            Do(Action::Panel),
+            Line,
+            Do(Action::Theme),
+            Do(Action::LargerUi),
+            Do(Action::SmallerUi),
+            Do(Action::ResetUi),
+        ],
+    ),
+    Menu("Pose", &[Do(Action::ClearRotation), Do(Action::Reset), Line, Do(Action::Ranges)]),
+];
+
 const WIDTH: f32 = 250.0;
 
 /// Shows the menus' buttons, and the menu that is open.
-pub fn show(ui: &mut Ui, session: &Session, asked: &mut Vec<Action>) {
-    for (name, entries) in [("File", FILE), ("Edit", EDIT), ("View", VIEW), ("Pose", POSE)] {
-        let button = Button::new(name).frame_when_inactive(false);
+pub fn show(ui: &mut Ui, on: &dyn Acting, menus: &[Menu], asked: &mut Vec<Wish>) {
+    for Menu(name, entries) in menus {
+        let button = Button::new(*name).frame_when_inactive(false);
         egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
             ui.set_width(WIDTH);
             let room = ui.ctx().content_rect().height() - 80.0;
             let scroll = egui::ScrollArea::vertical().max_height(room).min_scrolled_height(room);
             scroll.show(ui, |ui| {
-                for entry in entries {
-                    show_entry(ui, session, entry, asked);
+                for entry in *entries {
+                    show_entry(ui, on, entry, asked);
                 }
             });
         });
     }
 }
 
-fn show_entry(ui: &mut Ui, session: &Session, entry: &Entry, asked: &mut Vec<Action>) {
+fn show_entry(ui: &mut Ui, on: &dyn Acting, entry: &Entry, asked: &mut Vec<Wish>) {
     match entry {
         Line => {
             ui.separator();
@@ -128,9 +213,11 @@ fn show_entry(ui: &mut Ui, session: &Session, entry: &Entry, asked: &mut Vec<Act
         Title(words) => {
             ui.weak(*words);
         }
+        Chains => CHAINS.iter().for_each(|(title, path)| file(ui, title, path, asked)),
+        Mannequin => file(ui, "Mannequin", MANNEQUIN, asked),
         Do(action) => {
-            if item(ui, session, *action).clicked() {
-                asked.push(*action);
+            if item(ui, on, *action).clicked() {
+                asked.push(Wish::Do(*action));
                 ui.close();
             }
         }
@@ -138,19 +225,31 @@ fn show_entry(ui: &mut Ui, session: &Session, entry: &Entry, asked: &mut Vec<Act
 }
 
 /// A row of a menu: what it does, whether it is on, its key.
-fn item(ui: &mut Ui, session: &Session, action: Action) -> egui::Response {
-    let indented = format!("      {}", action.words());
+fn item(ui: &mut Ui, on: &dyn Acting, action: Action) -> egui::Response {
+    let indented = format!("      {}", on.words(action));
     let button = Button::new(indented)
-        .shortcut_text(session.keymap().shown(action))
+        .shortcut_text(on.keymap().shown(action))
         .frame_when_inactive(false)
         .min_size(egui::vec2(ui.available_width(), 0.0));
-    let response = ui.add_enabled(session.can(action), button);
-    if session.is_on(action) == Some(true) {
+    let response = ui.add_enabled(on.can(action), button);
+    if on.is_on(action) == Some(true) {
         sign::check(ui, response.rect.left_center() + egui::vec2(11.0, 0.0), theme::of(ui).text);
     }
-    response.widget_info(|| match session.is_on(action) {
-        Some(on) => egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, action.words()),
-        None => egui::WidgetInfo::labeled(egui::Role::Button, true, action.words()),
+    response.widget_info(|| match on.is_on(action) {
+        Some(is_on) => egui::WidgetInfo::selected(egui::Role::CheckBox, true, is_on, on.words(action)),
+        None => egui::WidgetInfo::labeled(egui::Role::Button, true, on.words(action)),
     });
-    response.on_hover_text(action.explained())
+    response.on_hover_text(on.explained(action))
+}
+
+/// A row that opens a file that comes with the program.
+fn file(ui: &mut Ui, title: &str, path: &'static str, asked: &mut Vec<Wish>) {
+    let button = Button::new(format!("      {title}"))
+        .frame_when_inactive(false)
+        .min_size(egui::vec2(ui.available_width(), 0.0));
+    let response = ui.add(button).accessible_name(format!("Open {title}"));
+    if response.on_hover_text(format!("Opens {title}, which comes with the program")).clicked() {
+        asked.push(Wish::Open(path));
+        ui.close();
+    }
 }

@@ -37,42 +37,66 @@ const ENDS: [End; 6] = [
     End { axis: Vec3::NEG_Z, view: View::Back, letter: "", words: "View from -Z (back)", color: Z },
 ];
 
+/// What was done to the ball.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum BallTurn {
+    /// It was dragged: turns about the camera's target, radians.
+    Orbit(f32, f32),
+    /// An end was clicked.
+    Look(View),
+}
+
+/// Shows the ball in a picture's corner: a drag on it turns the view, a click on an end looks from there. Pictures too small
+/// for it have none.
+pub fn show(ui: &mut Ui, rect: Rect, camera: &Camera) -> Option<BallTurn> {
+    if rect.width() < 4.0 * INSET || rect.height() < 4.0 * INSET {
+        return None;
+    }
+    let center = rect.right_top() + vec2(-INSET, INSET);
+    let ball = ui.interact(
+        Rect::from_center_size(center, egui::Vec2::splat(2.0 * (ARM + END + 2.0))),
+        Id::unique("axis ball"),
+        Sense::drag(),
+    );
+    ball.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Axis ball"));
+    let by = ball.drag_delta() * ORBIT_RAD_PER_POINT;
+    let mut turn = ball.dragged().then_some(BallTurn::Orbit(-by.x, by.y));
+    let mut seen_from = *camera;
+    if let Some(BallTurn::Orbit(yaw, pitch)) = turn {
+        seen_from.orbit(yaw, pitch);
+    }
+    // The nearest end comes last: it lies before the others and takes the click.
+    let mut ends = ENDS.map(|end| (seen(&seen_from, end.axis), end));
+    ends.sort_by(|(a, _), (b, _)| a.z.total_cmp(&b.z));
+    let responses = ends.each_ref().map(|(at, end)| interact(ui, center + in_window(*at), end));
+    for (response, (_, end)) in responses.iter().zip(&ends) {
+        if response.clicked() {
+            turn = Some(BallTurn::Look(end.view));
+        }
+    }
+    if turn.is_some() {
+        ui.ctx().request_repaint();
+    }
+    let painter = ui.painter().with_clip_rect(rect);
+    if ball.hovered() || ball.dragged() || responses.iter().any(Response::hovered) {
+        painter.circle_filled(center, ARM + END + 5.0, veil(ui));
+    }
+    for ((at, end), response) in ends.iter().zip(&responses) {
+        paint(&painter, ui, center, *at, end, response);
+    }
+    turn
+}
+
 impl Viewport {
-    /// Shows the ball; a drag on it turns the view, a click on an end looks from there, or from the other side if that
-    /// is so already. Pictures too small for it have none.
+    /// Shows the ball; a click on an end looks from there, or from the other side if that is so already.
     pub(super) fn axis_ball(&mut self, ui: &mut Ui) {
-        if self.rect.width() < 4.0 * INSET || self.rect.height() < 4.0 * INSET {
-            return;
-        }
-        let center = self.rect.right_top() + vec2(-INSET, INSET);
-        let ball = ui.interact(
-            Rect::from_center_size(center, egui::Vec2::splat(2.0 * (ARM + END + 2.0))),
-            Id::unique("axis ball"),
-            Sense::drag(),
-        );
-        ball.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Axis ball"));
-        if ball.dragged() {
-            let by = ball.drag_delta() * ORBIT_RAD_PER_POINT;
-            self.leave_picture_camera();
-            self.camera.orbit(-by.x, by.y);
-            ui.ctx().request_repaint();
-        }
-        // The nearest end comes last: it lies before the others and takes the click.
-        let mut ends = ENDS.map(|end| (seen(&self.camera, end.axis), end));
-        ends.sort_by(|(a, _), (b, _)| a.z.total_cmp(&b.z));
-        let responses = ends.each_ref().map(|(at, end)| interact(ui, center + in_window(*at), end));
-        for (response, (_, end)) in responses.iter().zip(&ends) {
-            if response.clicked() {
-                self.view_or_opposite(end.view);
-                ui.ctx().request_repaint();
+        match show(ui, self.rect, &self.camera) {
+            Some(BallTurn::Orbit(yaw_rad, pitch_rad)) => {
+                self.leave_picture_camera();
+                self.camera.orbit(yaw_rad, pitch_rad);
             }
-        }
-        let painter = ui.painter().with_clip_rect(self.rect);
-        if ball.hovered() || ball.dragged() || responses.iter().any(Response::hovered) {
-            painter.circle_filled(center, ARM + END + 5.0, veil(ui));
-        }
-        for ((at, end), response) in ends.iter().zip(&responses) {
-            paint(&painter, ui, center, *at, end, response);
+            Some(BallTurn::Look(view)) => self.view_or_opposite(view),
+            None => {}
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Looking around in the picture: what the pointer does goes to the navigator; keys and buttons move the camera in steps.
 
-use edit::{Button, Editor, Keys, Motion, Step, ViewEvent};
+use edit::{Button, Editor, Keys, Motion, Preset, Step, ViewEvent};
 use egui::{CursorIcon, Event, MouseWheelUnit, PointerButton, Pos2, Ui};
 use glam::Vec2;
 use rig::{Bone, Projection, View};
@@ -8,7 +8,7 @@ use rig::{Bone, Projection, View};
 use super::{Viewport, framed};
 
 /// After the wheel stops for this long, the picture is drawn in full quality.
-const WHEEL_REST_SECS: f64 = 0.2;
+pub const WHEEL_REST_SECS: f64 = 0.2;
 /// What a notch of a wheel counts as among the points that two fingers slide.
 const POINTS_PER_LINE: f32 = 40.0;
 
@@ -64,23 +64,13 @@ impl Viewport {
 
     /// A button went down: whether the view takes the drag, which it does beside the figure and where the preset says so.
     pub(super) fn take_view(&mut self, ui: &Ui, button: PointerButton, at: Pos2, on_figure: bool) -> bool {
-        let button = match button {
-            PointerButton::Primary => Button::Primary,
-            PointerButton::Middle => Button::Middle,
-            _ => Button::Secondary,
-        };
-        let pressed = ViewEvent::Pressed { button, keys: keys(ui), at: self.inside(at), on_figure };
-        self.navigate(pressed)
+        self.navigate(pressed(ui, button, self.inside(at), on_figure))
     }
 
     /// Moves the view by what the pointer went in this frame.
     pub(super) fn drag_view(&mut self, ui: &Ui, by: egui::Vec2) {
-        let icon = match self.navigator.motion() {
-            Some(Motion::Zoom) => CursorIcon::ZoomIn,
-            Some(_) => CursorIcon::Move,
-            None => return,
-        };
-        ui.ctx().set_cursor_icon(icon);
+        let Some(motion) = self.navigator.motion() else { return };
+        ui.ctx().set_cursor_icon(cursor(motion));
         if by != egui::Vec2::ZERO {
             self.navigate(ViewEvent::Moved { by: Vec2::new(by.x, by.y) });
         }
@@ -93,15 +83,7 @@ impl Viewport {
 
     /// Wheel, two fingers and pinching, at a place of the window.
     pub(super) fn wheel(&mut self, ui: &Ui, at: Pos2) {
-        let at = self.inside(at);
-        let scroll = |by: egui::Vec2| ViewEvent::Scrolled { by: Vec2::new(by.x, by.y), keys: keys(ui), at };
-        let fingers = self.preset == edit::Preset::Trackpad;
-        let by = if fingers { raw_scroll(ui) } else { ui.input(|i| i.smooth_scroll_delta()) };
-        let factor = ui.input(|i| i.zoom_delta());
-        let pinched = (factor != 1.0).then_some(ViewEvent::Pinched { factor, at });
-        // A wheel's sideways part, and what Shift makes of it, do nothing to a zoom.
-        let scrolled = (by.y != 0.0 || fingers && by.x != 0.0).then(|| scroll(by));
-        for event in [pinched, scrolled].into_iter().flatten() {
+        for event in scrolled(ui, self.preset, self.inside(at)) {
             self.navigate(event);
             self.touch_wheel(ui);
         }
@@ -132,6 +114,36 @@ impl Viewport {
         self.follow_side(side.camera, camera);
         taken
     }
+}
+
+/// A press of a button at a place of the picture, for the navigator.
+pub fn pressed(ui: &Ui, button: PointerButton, at: Vec2, on_figure: bool) -> ViewEvent {
+    let button = match button {
+        PointerButton::Primary => Button::Primary,
+        PointerButton::Middle => Button::Middle,
+        _ => Button::Secondary,
+    };
+    ViewEvent::Pressed { button, keys: keys(ui), at, on_figure }
+}
+
+/// What the pointer looks like during a motion of the view.
+pub const fn cursor(motion: Motion) -> CursorIcon {
+    match motion {
+        Motion::Zoom => CursorIcon::ZoomIn,
+        Motion::Orbit | Motion::Pan => CursorIcon::Move,
+    }
+}
+
+/// What wheel, two fingers and pinching did in this frame at a place of the picture, for the navigator.
+pub fn scrolled(ui: &Ui, preset: Preset, at: Vec2) -> Vec<ViewEvent> {
+    let fingers = preset == Preset::Trackpad;
+    let by = if fingers { raw_scroll(ui) } else { ui.input(|i| i.smooth_scroll_delta()) };
+    let factor = ui.input(|i| i.zoom_delta());
+    let pinched = (factor != 1.0).then_some(ViewEvent::Pinched { factor, at });
+    // A wheel's sideways part, and what Shift makes of it, do nothing to a zoom.
+    let wanted = by.y != 0.0 || fingers && by.x != 0.0;
+    let scrolled = wanted.then(|| ViewEvent::Scrolled { by: Vec2::new(by.x, by.y), keys: keys(ui), at });
+    pinched.into_iter().chain(scrolled).collect()
 }
 
 fn keys(ui: &Ui) -> Keys {

@@ -1,4 +1,4 @@
-//! Egui's side of the renderer: draws the picture before egui's own pass and paints it inside.
+//! Egui's side of the renderer: draws the picture of a figure or a robot before egui's own pass and paints it inside.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use edit::Editor;
 use egui::Rect;
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use render::{Blit, DrawError, FigureView, Gpu, Image, Look, Overlay, Renderer, Scene};
-use rig::{Bone, Camera, Figure, Palette};
+use rig::{Bone, Camera, Figure, Mesh, Palette, RobotSkin};
 
 /// What one picture shows. Equal pictures look equal, so the second of two is not drawn.
 #[derive(Clone, PartialEq, Debug)]
@@ -14,10 +14,9 @@ pub struct Picture {
     camera: Camera,
     size: [u32; 2],
     look: Look,
-    palette: Palette,
-    shape: Shape,
-    selected: Vec<Bone>,
-    hovered: Vec<Bone>,
+    body: Body,
+    /// How each of the body's meshes is posed and tinted.
+    parts: Vec<Part>,
     overlay: Overlay,
     backdrop: Option<Reference>,
     slot: usize,
@@ -33,14 +32,43 @@ impl PartialEq for Reference {
     }
 }
 
-/// The figure whose skin is drawn; the same one is one and the same allocation.
+/// Whose meshes are drawn; the same ones are one and the same allocation.
 #[derive(Clone, Debug)]
-struct Shape(Arc<Figure>);
+pub enum Body {
+    /// A figure with its skin, if it has one.
+    Figure(Arc<Figure>),
+    /// A robot's links.
+    Robot(Arc<RobotSkin>),
+}
 
-impl PartialEq for Shape {
-    fn eq(&self, other: &Shape) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
+impl Body {
+    fn meshes(&self) -> &[Mesh] {
+        match self {
+            Body::Figure(figure) => figure.skin.as_slice(),
+            Body::Robot(skin) => &skin.meshes,
+        }
     }
+}
+
+impl PartialEq for Body {
+    fn eq(&self, other: &Body) -> bool {
+        match (self, other) {
+            (Body::Figure(own), Body::Figure(other)) => Arc::ptr_eq(own, other),
+            (Body::Robot(own), Body::Robot(other)) => Arc::ptr_eq(own, other),
+            _ => false,
+        }
+    }
+}
+
+/// One mesh of a body as it is posed, and its parts that are tinted.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Part {
+    /// Its places in the world.
+    pub palette: Palette,
+    /// The chosen ones.
+    pub selected: Vec<Bone>,
+    /// Those under the pointer.
+    pub hovered: Vec<Bone>,
 }
 
 /// Bones whose skin is tinted.
@@ -64,15 +92,32 @@ impl Picture {
         look: Look,
     ) -> Picture {
         let rest = crate::picture::rest_positions(editor.figure());
+        let part = Part {
+            // Frames of the world in place of the figure's: the figure's transform is the identity then.
+            palette: Palette::new(&editor.evaluation().frames, &rest),
+            selected: lit.selected.to_vec(),
+            hovered: lit.hovered.into_iter().collect(),
+        };
+        let body = Body::Figure(editor.figure().clone());
+        Picture::of(body, vec![part], camera, rect, pixels_per_point, overlay, look)
+    }
+
+    /// The picture of a body for a rectangle of the window.
+    pub fn of(
+        body: Body,
+        parts: Vec<Part>,
+        camera: Camera,
+        rect: Rect,
+        pixels_per_point: f32,
+        overlay: Overlay,
+        look: Look,
+    ) -> Picture {
         Picture {
             camera,
             size: [rect.width(), rect.height()].map(|s| ((s * pixels_per_point).round() as u32).max(1)),
             look,
-            // Frames of the world in place of the figure's: the figure's transform is the identity then.
-            palette: Palette::new(&editor.evaluation().frames, &rest),
-            shape: Shape(editor.figure().clone()),
-            selected: lit.selected.to_vec(),
-            hovered: lit.hovered.into_iter().collect(),
+            body,
+            parts,
             overlay,
             backdrop: None,
             slot: 0,
@@ -108,27 +153,27 @@ struct Slot {
     renderer: Renderer,
     blit: Blit,
     drawn: Option<Picture>,
-    /// The figure whose skin the renderer has.
-    shape: Shape,
+    /// The body whose meshes the renderer has.
+    body: Body,
 }
 
 impl Slot {
-    fn new(gpu: &Gpu, format: wgpu::TextureFormat, figure: &Arc<Figure>) -> Result<Slot, DrawError> {
+    fn new(gpu: &Gpu, format: wgpu::TextureFormat, body: &Body) -> Result<Slot, DrawError> {
         let mut slot = Slot {
             renderer: Renderer::new(gpu),
             blit: Blit::new(gpu, format),
             drawn: None,
-            shape: Shape(figure.clone()),
+            body: body.clone(),
         };
         slot.upload()?;
         Ok(slot)
     }
 
     fn upload(&mut self) -> Result<(), DrawError> {
-        match &self.shape.0.skin {
-            Some(mesh) => self.renderer.set_mesh(0, mesh),
-            None => Ok(()),
-        }
+        let meshes = self.body.meshes().iter().enumerate();
+        meshes
+            .filter(|(_, mesh)| !mesh.indices.is_empty())
+            .try_for_each(|(i, mesh)| self.renderer.set_mesh(i, mesh))
     }
 
     /// Draws a picture unless it is the one drawn before; whether it did.
@@ -136,23 +181,28 @@ impl Slot {
         if self.drawn.as_ref() == Some(picture) {
             return Ok(false);
         }
-        if self.shape != picture.shape {
-            self.shape = picture.shape.clone();
+        if self.body != picture.body {
+            self.body = picture.body.clone();
             self.upload()?;
         }
         if self.drawn.as_ref().and_then(|drawn| drawn.backdrop.as_ref()) != picture.backdrop.as_ref() {
             self.renderer.set_backdrop(picture.backdrop.as_ref().map(|reference| &*reference.0))?;
         }
-        let figure = FigureView {
-            selected: &picture.selected,
-            hovered: &picture.hovered,
-            ..FigureView::new(&picture.palette)
-        };
-        let figures = if picture.shape.0.skin.is_some() { std::slice::from_ref(&figure) } else { &[] };
+        let meshes = picture.body.meshes().iter().zip(&picture.parts).enumerate();
+        // A mesh of nothing was not uploaded: its slot has what another body left there.
+        let seen = meshes.filter(|(_, (mesh, _))| !mesh.indices.is_empty());
+        let figures: Vec<FigureView> = seen
+            .map(|(skin, (_, part))| FigureView {
+                skin,
+                selected: &part.selected,
+                hovered: &part.hovered,
+                ..FigureView::new(&part.palette)
+            })
+            .collect();
         let scene = Scene {
             look: picture.look,
             overlay: &picture.overlay,
-            ..Scene::new(figures, picture.camera, picture.size)
+            ..Scene::new(&figures, picture.camera, picture.size)
         };
         self.renderer.draw(encoder, &scene)?;
         self.drawn = Some(picture.clone());
@@ -162,16 +212,12 @@ impl Slot {
 }
 
 impl PictureGpu {
-    /// Makes ready for a target of that format; uploads the skin, if there is one.
+    /// Makes ready for a target of that format; uploads the meshes, if there are any.
     ///
     /// # Errors
-    /// The skin is at fault.
-    pub fn new(
-        gpu: &Gpu,
-        format: wgpu::TextureFormat,
-        figure: &Arc<Figure>,
-    ) -> Result<PictureGpu, DrawError> {
-        let first = Slot::new(gpu, format, figure)?;
+    /// A mesh is at fault.
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, body: &Body) -> Result<PictureGpu, DrawError> {
+        let first = Slot::new(gpu, format, body)?;
         let slots = [Some(first), None];
         Ok(PictureGpu { gpu: gpu.clone(), format, slots, count: 0 })
     }
@@ -180,12 +226,12 @@ impl PictureGpu {
         let Some(place) = self.slots.get_mut(picture.slot) else { return };
         let slot = match place.take() {
             Some(slot) => Ok(slot),
-            None => Slot::new(&self.gpu, self.format, &picture.shape.0),
+            None => Slot::new(&self.gpu, self.format, &picture.body),
         };
         let drawn = slot.and_then(|slot| place.insert(slot).draw(encoder, picture));
         match drawn {
             Ok(drawn) => self.count += u64::from(drawn),
-            Err(error) => log::error!("the figure can't be drawn: {error}"),
+            Err(error) => log::error!("the picture can't be drawn: {error}"),
         }
     }
 }
@@ -223,14 +269,14 @@ impl CallbackTrait for Picture {
 /// Puts what draws pictures among the resources of egui's renderer: a window's, a test harness's, an offscreen one's.
 ///
 /// # Errors
-/// The figure's skin is at fault.
+/// A mesh of the body is at fault.
 pub fn install(
     renderer: &mut egui_wgpu::Renderer,
     gpu: &Gpu,
     format: wgpu::TextureFormat,
-    figure: &Arc<Figure>,
+    body: &Body,
 ) -> Result<(), DrawError> {
-    renderer.callback_resources.insert(PictureGpu::new(gpu, format, figure)?);
+    renderer.callback_resources.insert(PictureGpu::new(gpu, format, body)?);
     Ok(())
 }
 
@@ -254,7 +300,8 @@ mod tests {
         let state = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
         let gpu = Gpu::of_device(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let figure = crate::load::figure(None).unwrap();
-        install(&mut state.renderer.write(), &gpu, state.target_format, &figure).unwrap();
+        install(&mut state.renderer.write(), &gpu, state.target_format, &Body::Figure(figure.clone()))
+            .unwrap();
         let count = || state.renderer.read().callback_resources.get::<PictureGpu>().unwrap().count;
         let session = Session::new(Editor::new(figure), None);
         let mut hand = Harness::builder()

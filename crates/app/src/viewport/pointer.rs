@@ -191,7 +191,8 @@ pub(super) fn told_with<T>(keymap: &Keymap, tell: impl FnOnce(&Words) -> T) -> T
     tell(&Words { joint: &labels::full, key: &key, in_contact: &in_contact })
 }
 
-fn constraint(action: Action) -> Option<Constraint> {
+/// What an action of a drag holds it to.
+pub fn constraint(action: Action) -> Option<Constraint> {
     Some(match action {
         Action::AlongX => Constraint::Along(Axis::X),
         Action::AlongY => Constraint::Along(Axis::Y),

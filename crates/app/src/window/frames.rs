@@ -11,18 +11,18 @@ use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
+use super::desk::Desk;
 use super::screen::Screen;
 use super::{display, ui_map};
 use crate::failure::Failure;
 use crate::painter::Painter;
-use crate::session::Session;
 use crate::theme;
 
 /// A frame is wanted at that time.
 struct Wake(Instant);
 
-/// Runs a session in a window until it is closed.
-pub fn run(session: Session, ui_map: Option<PathBuf>) -> Result<(), Failure> {
+/// Runs a desk's session in a window until it is closed.
+pub fn run(desk: Desk, ui_map: Option<PathBuf>) -> Result<(), Failure> {
     let event_loop = display::event_loop::<Wake>()?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let ctx = Context::default();
@@ -35,23 +35,15 @@ pub fn run(session: Session, ui_map: Option<PathBuf>) -> Result<(), Failure> {
         // The loop has ended if this fails, and nobody waits for a frame.
         let _ = proxy.send_event(Wake(Instant::now() + info.delay));
     });
-    let mut frames = Frames {
-        session,
-        ctx,
-        ui_map,
-        shown: None,
-        failure: None,
-        wake: None,
-        title: String::new(),
-        count: 0,
-    };
+    let mut frames =
+        Frames { desk, ctx, ui_map, shown: None, failure: None, wake: None, title: String::new(), count: 0 };
     event_loop.run_app(&mut frames).map_err(|e| Failure::NoScreen(format!("the window failed: {e}")))?;
-    frames.session.end();
+    frames.desk.end();
     frames.failure.map_or(Ok(()), Err)
 }
 
 struct Frames {
-    session: Session,
+    desk: Desk,
     ctx: Context,
     ui_map: Option<PathBuf>,
     shown: Option<Shown>,
@@ -70,9 +62,9 @@ struct Shown {
 }
 
 impl Shown {
-    fn open(event_loop: &ActiveEventLoop, ctx: &Context, session: &Session) -> Result<Shown, Failure> {
+    fn open(event_loop: &ActiveEventLoop, ctx: &Context, desk: &Desk) -> Result<Shown, Failure> {
         let attributes = Window::default_attributes()
-            .with_title(session.title())
+            .with_title(desk.title())
             .with_inner_size(LogicalSize::new(1280.0, 800.0))
             .with_min_inner_size(LogicalSize::new(960.0, 560.0))
             .with_visible(false);
@@ -81,7 +73,7 @@ impl Shown {
             .map_err(|e| Failure::NoScreen(format!("the display opens no window: {e}")))?;
         let window = Arc::new(window);
         let screen = Screen::new(event_loop, window.clone())?;
-        let painter = Painter::new(screen.gpu(), screen.format(), session.editor().figure())
+        let painter = Painter::new(screen.gpu(), screen.format(), &desk.body())
             .map_err(|e| Failure::Input(e.to_string()))?;
         let input = egui_winit::State::new(
             ctx.clone(),
@@ -105,7 +97,7 @@ impl Frames {
         let Some(frame) = shown.screen.acquire() else { return };
         self.wake = None;
         let raw = shown.input.take_egui_input(&shown.window);
-        let mut output = self.ctx.run_ui(raw, |ui| self.session.ui(ui));
+        let mut output = self.ctx.run_ui(raw, |ui| self.desk.ui(ui));
         let tree = output.platform_output.accesskit_update.take();
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let delay = viewport.map(|viewport| viewport.repaint_delay);
@@ -120,13 +112,13 @@ impl Frames {
         shown.painter.gpu().queue.present(frame);
         self.count += 1;
         let took = begin.elapsed();
-        let quality = self.session.viewport.drawn_in();
+        let quality = self.desk.drawn_in();
         log::debug!("frame {}: {:.1} ms {quality:?}", self.count, took.as_secs_f64() * 1e3);
         if shown.painter.pictures() > pictures {
-            self.session.viewport.took(self.ctx.input(|i| i.time), took.as_secs_f32());
+            self.desk.took(self.ctx.input(|i| i.time), took.as_secs_f32());
         }
         if let (Some(path), Some(tree)) = (&self.ui_map, tree) {
-            ui_map::write(path, self.count, &self.session, &tree, self.ctx.pixels_per_point());
+            ui_map::write(path, self.count, &self.desk, &tree, self.ctx.pixels_per_point());
         }
         if let Some(at) = delay.and_then(|delay| Instant::now().checked_add(delay)) {
             self.wake_at(at);
@@ -135,10 +127,15 @@ impl Frames {
     }
 
     fn after(&mut self, event_loop: &ActiveEventLoop) {
-        if self.session.has_quit() {
+        if self.desk.has_quit() {
             event_loop.exit();
         }
-        let title = self.session.title();
+        if let Some(shown) = self.shown.as_ref()
+            && self.desk.change(shown.screen.gpu().is_software())
+        {
+            shown.window.request_redraw();
+        }
+        let title = self.desk.title();
         if let Some(shown) = self.shown.as_ref().filter(|_| title != self.title) {
             shown.window.set_title(&title);
             self.title = title;
@@ -162,9 +159,9 @@ impl ApplicationHandler<Wake> for Frames {
         if self.shown.is_some() {
             return;
         }
-        match Shown::open(event_loop, &self.ctx, &self.session) {
+        match Shown::open(event_loop, &self.ctx, &self.desk) {
             Ok(shown) => {
-                self.session.software = shown.screen.gpu().is_software();
+                self.desk.set_software(shown.screen.gpu().is_software());
                 self.shown = Some(shown);
             }
             Err(failure) => {
@@ -179,7 +176,7 @@ impl ApplicationHandler<Wake> for Frames {
         match &event {
             WindowEvent::RedrawRequested => return self.draw(event_loop),
             WindowEvent::CloseRequested => {
-                self.session.quit_asking();
+                self.desk.quit_asking();
                 shown.window.request_redraw();
             }
             WindowEvent::Resized(size) => shown.screen.resize(size.width, size.height),

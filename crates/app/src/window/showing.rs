@@ -1,10 +1,12 @@
 //! What a picture of the window shows besides the figure: what is chosen, what is switched on, where the pointer is.
 
-use edit::Choose;
+use edit::{ChainNode, Choose};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, pos2};
 use rig::{Bone, Limb};
 
 use crate::action::{Action, Group};
+use crate::chains::ChainSession;
+use crate::failure::Failure;
 use crate::keymap::defaults;
 use crate::session::Session;
 use crate::viewport::Guide;
@@ -13,9 +15,9 @@ use crate::viewport::Guide;
 #[derive(clap::Args, Clone, PartialEq, Default, Debug)]
 #[command(next_help_heading = "With --ui, what the window shows")]
 pub struct Showing {
-    /// Chooses joints, the last as the active one: leftHand,leftLowerArm.
-    #[arg(long, value_name = "JOINTS", value_delimiter = ',', value_parser = bone, requires = "ui")]
-    select: Vec<Bone>,
+    /// Chooses joints, the last as the active one: leftHand,leftLowerArm; of a chain one: boom.
+    #[arg(long, value_name = "JOINTS", value_delimiter = ',', requires = "ui")]
+    select: Vec<String>,
     /// Actions on what is seen, by their names in the file of keys: Library,SecondView,Theme,FrameSelection.
     #[arg(long = "do", value_name = "ACTIONS", value_delimiter = ',', value_parser = action, requires = "ui")]
     actions: Vec<Action>,
@@ -67,10 +69,14 @@ fn place(text: &str) -> Result<Pos2, String> {
 
 impl Showing {
     /// Does in the window what was asked for, apart from the pointer. The window must have been laid out.
-    pub(super) fn apply(&self, ctx: &Context, session: &mut Session) {
+    ///
+    /// # Errors
+    /// A joint that no figure has.
+    pub(super) fn apply(&self, ctx: &Context, session: &mut Session) -> Result<(), Failure> {
         let figure = session.editor().figure().clone();
-        for bone in &self.select {
-            session.panels.choose(&figure.skeleton, Choose::Toggle(*bone));
+        for name in &self.select {
+            let bone = bone(name).map_err(Failure::Usage)?;
+            session.panels.choose(&figure.skeleton, Choose::Toggle(bone));
         }
         for (limb, guide) in &self.guides {
             session.panels.set_guide(*limb, *guide, true);
@@ -78,6 +84,21 @@ impl Showing {
         for action in &self.actions {
             session.act(ctx, *action);
         }
+        Ok(())
+    }
+
+    /// The same in the window of a chain, which has no guides.
+    ///
+    /// # Errors
+    /// A joint that the chain doesn't have.
+    pub(super) fn apply_to_chain(&self, ctx: &Context, session: &mut ChainSession) -> Result<(), Failure> {
+        for name in &self.select {
+            let robot = session.editor().robot().clone();
+            let joint = robot.find_joint(name).map_err(|e| Failure::Usage(e.to_string()))?;
+            session.choose(ChainNode::of_link(&robot, joint + 1));
+        }
+        self.actions.iter().for_each(|action| session.act(ctx, *action));
+        Ok(())
     }
 
     /// What pointer and keys do, frame by frame.

@@ -31,7 +31,13 @@ pub fn drawn(session: Session, figure: bool) -> Hand {
     if figure {
         let gpu = render::Gpu::of_device(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let figure = session.editor().figure().clone();
-        app::install_picture(&mut state.renderer.write(), &gpu, state.target_format, &figure).unwrap();
+        app::install_picture(
+            &mut state.renderer.write(),
+            &gpu,
+            state.target_format,
+            &app::Body::Figure(figure.clone()),
+        )
+        .unwrap();
     }
     let mut hand = Harness::builder()
         .with_size(vec2(1280.0, 800.0))

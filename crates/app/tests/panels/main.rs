@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod body;
+mod chain;
+mod chain_driving;
 mod files;
 mod grabbing;
 mod hand;

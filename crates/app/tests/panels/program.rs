@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use app::{Action, ConfigFolder, Look, Section, Session, load};
+use app::{Acting as _, Action, ConfigFolder, Look, Section, Session, load};
 use edit::{By, Command, Editor, Request};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand, vec2};
