@@ -256,7 +256,7 @@ impl ChainPicture {
         let mut all = Vec::new();
         for link in self.rigid(editor, node) {
             let Some(frame) = editor.frames().get(link) else { continue };
-            all.extend(self.picker.corners(link).map(|corner| frame.point(corner)));
+            all.extend(self.picker.outermost(link).map(|corner| frame.point(corner)));
         }
         if all.is_empty() {
             let link = node.link(editor.robot());

@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stderr)]
 
 mod by_hand;
+mod excavator;
 mod program;
 mod recording;
 
