@@ -102,6 +102,18 @@ fn looks_that_lack_something_say_what() {
 }
 
 #[test]
+fn what_the_xml_reader_stumbles_over_has_a_place() {
+    let one = |more: &str| fault(&["<link name=\"a\"/><link name=\"b\"/>", &joint("j", "a", "b", more)]);
+    let twice = one("<origin xyz=\"0 0 0\"/><origin xyz=\"0 0 0\"/>");
+    assert!(twice.starts_with("3:") && twice.ends_with("joint \"j\": <origin> is given twice"), "{twice}");
+    let control = one("\u{e}");
+    assert!(control.starts_with("3:") && control.ends_with("U+000E has no place in XML"), "{control}");
+    let text =
+        fault(&["<link name=\"a\"><visual>", "<geometry>x<box size=\"1 1 1\"/></geometry></visual></link>"]);
+    assert!(text.starts_with("3:11: link \"a\", <geometry>: text between elements"), "{text}");
+}
+
+#[test]
 fn a_nul_at_the_end_is_forgiven() {
     let (_, warnings) = read_robot("<robot name=\"x\"><link name=\"a\"/></robot>\n\0").unwrap();
     assert_eq!(warnings, ["the file ends with a NUL, which is left out"]);

@@ -32,6 +32,7 @@ pub fn check(text: &str, outline: &[Element<'_>]) -> Result<(), UrdfError> {
         for attribute in &element.attributes {
             number(outline, i, attribute).map_err(|fault| fault.at(spot(attribute.at)))?;
         }
+        single(outline, i).map_err(|fault| fault.at(spot(element.at)))?;
         required(outline, i).map_err(|fault| fault.at(spot(element.at)))?;
         let tag = match element.name {
             "link" => "link",
@@ -70,6 +71,30 @@ fn read(outline: &[Element<'_>], i: usize) -> bool {
         _ => &[],
     };
     known.contains(&outline[i].name) && read(outline, parent)
+}
+
+/// The first text between elements that are read, where none has a meaning.
+pub fn stray(outline: &[Element<'_>]) -> Option<(usize, UrdfFault)> {
+    let found = (0..outline.len()).filter(|&i| read(outline, i)).find_map(|i| Some((i, outline[i].stray?)));
+    found.map(|(i, at)| {
+        let message = format!("{}: text between elements, expected none", described(outline, i));
+        (at, UrdfFault::Syntax(message))
+    })
+}
+
+/// An element of which there may be one beside another of its tag.
+fn single(outline: &[Element<'_>], i: usize) -> Result<(), UrdfFault> {
+    let element = &outline[i];
+    let Some(parent) = element.parent.filter(|p| *p > 0) else { return Ok(()) };
+    if matches!(element.name, "visual" | "collision") {
+        return Ok(());
+    }
+    let before = &outline[parent + 1..i];
+    if before.iter().any(|e| e.parent == Some(parent) && e.name == element.name) {
+        let message = format!("{}: <{}> is given twice", described(outline, parent), element.name);
+        return Err(UrdfFault::Syntax(message));
+    }
+    Ok(())
 }
 
 /// How a message calls an element: with the joint or link that it is in.

@@ -34,7 +34,14 @@ impl<'a> Document<'a> {
         if links > MAX_LINKS {
             return Err(UrdfFault::TooMany(links).at(START));
         }
-        let robot = urdf_rs::read_from_string(text).map_err(|error| unread(&error.to_string()))?;
+        let robot = urdf_rs::read_from_string(text).map_err(|error| {
+            let unread = unread(&error.to_string());
+            // It may be text between elements that it stumbles over, and it says not where.
+            match check::stray(&outline).filter(|_| unread.spot == START) {
+                Some((at, fault)) => fault.at(Spot::at(text, at)),
+                None => unread,
+            }
+        })?;
         Ok(Document { text, outline, robot })
     }
 

@@ -21,6 +21,8 @@ pub struct Element<'a> {
     pub parent: Option<usize>,
     /// Its attributes.
     pub attributes: Vec<Attribute<'a>>,
+    /// Byte offset of the first text in it that is no white space and in none of its children.
+    pub stray: Option<usize>,
 }
 
 /// One attribute.
@@ -54,6 +56,11 @@ pub struct Broken {
 /// # Errors
 /// Text that isn't one well-formed element with at most comments, a declaration and processing instructions around.
 pub fn outline(text: &str) -> Result<Vec<Element<'_>>, Broken> {
+    let control =
+        |c: char| (c < ' ' && !matches!(c, '\t' | '\n' | '\r')) || matches!(c, '\u{fffe}' | '\u{ffff}');
+    if let Some((at, c)) = text.char_indices().find(|(_, c)| control(*c)) {
+        return Err(Broken { at, message: format!("character U+{:04X} has no place in XML", u32::from(c)) });
+    }
     let mut reader = Reader { text, at: 0, elements: Vec::new(), open: Vec::new() };
     while let Some(next) = text[reader.at..].find('<') {
         reader.between(reader.at + next)?;
@@ -88,6 +95,9 @@ impl<'a> Reader<'a> {
         let stray = self.text[self.at..end].trim_start_matches('\u{feff}').trim_start();
         if self.open.is_empty() && !stray.is_empty() {
             return self.broken(end - stray.len(), "text outside the root element");
+        }
+        if let Some(&open) = self.open.last().filter(|_| !stray.is_empty()) {
+            self.elements[open].stray.get_or_insert(end - stray.len());
         }
         self.at = end;
         Ok(())
@@ -166,7 +176,7 @@ impl<'a> Reader<'a> {
         if !empty {
             self.open.push(self.elements.len());
         }
-        self.elements.push(Element { name, at: start, parent, attributes });
+        self.elements.push(Element { name, at: start, parent, attributes, stray: None });
         Ok(())
     }
 
