@@ -79,7 +79,7 @@ macro_rules! actions {
 actions! {
     File {
         New: "New", "A new pose: the figure stands relaxed.", ["Ctrl+N"];
-        Open: "Open…", "Opens a pose file.", ["Ctrl+O"];
+        Open: "Open…", "Opens a pose, or a robot or chain in place of the figure.", ["Ctrl+O"];
         Save: "Save", "Saves the pose to its file.", ["Ctrl+S"];
         SaveAs: "Save as…", "Saves the pose to another file.", ["Ctrl+Shift+S"];
         SavePicture: "Save picture…", "Saves what the view shows: a still, or the view turning around the figure.", ["F12"];

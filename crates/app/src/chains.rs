@@ -31,7 +31,7 @@ use crate::session::Status;
 use crate::settings::{ConfigFolder, Settings};
 use crate::theme;
 use crate::toolbar::Wish;
-pub use act::knows;
+pub use act::{knows, words};
 use driving::Driving;
 use panel::ChainPanel;
 pub use picture::ChainPicture;

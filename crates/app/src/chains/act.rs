@@ -32,6 +32,16 @@ pub(super) fn repeats(action: Action) -> bool {
         || matches!(action, OrbitLeft | OrbitRight | OrbitUp | OrbitDown | ZoomIn | ZoomOut)
 }
 
+/// The words of an action in a window on a chain.
+pub const fn words(action: Action) -> &'static str {
+    match action {
+        Action::Panel => "Joints and sliders",
+        Action::ClearRotation => "Joint to 0",
+        Action::Reset => "All joints to 0",
+        other => other.words(),
+    }
+}
+
 impl Acting for ChainSession {
     fn keymap(&self) -> &crate::keymap::Keymap {
         &self.keymap
@@ -66,12 +76,7 @@ impl Acting for ChainSession {
     }
 
     fn words(&self, action: Action) -> &'static str {
-        match action {
-            Action::Panel => "Joints and sliders",
-            Action::ClearRotation => "Joint to 0",
-            Action::Reset => "All joints to 0",
-            other => other.words(),
-        }
+        words(action)
     }
 
     fn explained(&self, action: Action) -> &'static str {

@@ -25,6 +25,10 @@ const PARALLEL: f64 = 1.0 - 1e-6;
 /// What is left free around a chain when it is framed, as a part of its size: its joints turn.
 const AIR: f32 = 0.12;
 
+/// Tints of what is chosen and of what is under the pointer: faint, for robots have colours of their own, and there are brackets.
+const SELECTED: render::Color = [255, 128, 30, 88];
+const HOVERED: render::Color = [255, 232, 196, 84];
+
 /// How a chain is looked at, and the gesture in the picture.
 #[derive(Clone, Debug)]
 pub struct ChainPicture {
@@ -328,7 +332,7 @@ impl ChainPicture {
             hovered: places(&hovered, mesh),
         });
         let look = self.finish.on(Look::default()).in_surroundings(!ui.visuals().dark_mode);
-        let look = Look { joint_planes: false, ..quality.of(look) };
+        let look = Look { joint_planes: false, selected: SELECTED, hovered: HOVERED, ..quality.of(look) };
         let picture = Picture::of(self.body(), parts.collect(), self.camera, self.rect, scale, overlay, look);
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
         write_words(ui.painter(), self.rect, &sight, &words);

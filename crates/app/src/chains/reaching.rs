@@ -28,12 +28,17 @@ pub fn show(sheet: &mut Sheet, ui: &mut Ui, how: &mut Reaching) {
     });
     line(ui, "Root", |ui| {
         for (root, words, name, tip) in [
-            (ChainRoot::Held, "Held", "Root held", "The root stays where it is"),
+            (
+                ChainRoot::Held,
+                "Held",
+                "Root held",
+                "The root stays where it is, and so does a base that slides on it",
+            ),
             (
                 ChainRoot::Follows,
                 "Follows",
                 "Root follows",
-                "The body is drawn along, as a snake's behind its head",
+                "The body is drawn along, as a snake's behind its head; a base slides",
             ),
         ] {
             ui.selectable_value(&mut how.root, root, words).accessible_name(name).on_hover_text(tip);

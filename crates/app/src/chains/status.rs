@@ -2,6 +2,7 @@
 
 use edit::{ChainNode, ChainShape, ChainSpot, Preset};
 use egui::{Align, Layout, Ui};
+use rig::RootMoves;
 
 use super::{ChainSession, value};
 use crate::status_line::{Hint, show_hint, text};
@@ -88,6 +89,9 @@ fn under(session: &ChainSession) -> Vec<Hint> {
         ChainSpot::Link(hit) => {
             let link = &robot.links()[hit.link].name;
             match ChainNode::of_link(robot, hit.link) {
+                ChainNode::Root if session.editor().document().root == RootMoves::Held => {
+                    vec![Hint::of(&[], &format!("{link} is held"))]
+                }
                 ChainNode::Root => {
                     vec![
                         Hint::of(&["Drag"], "moves the whole chain"),
@@ -96,10 +100,9 @@ fn under(session: &ChainSession) -> Vec<Hint> {
                 }
                 node => {
                     let joint = node.joint(robot).map_or("", |joint| &robot.joints()[joint].name);
-                    vec![
-                        Hint::of(&["Drag"], &format!("{link} reaches")),
-                        Hint::of(&["Click"], &format!("chooses {joint}")),
-                    ]
+                    let slides = node.is_base(robot);
+                    let does = if slides { format!("slides {link}") } else { format!("{link} reaches") };
+                    vec![Hint::of(&["Drag"], &does), Hint::of(&["Click"], &format!("chooses {joint}"))]
                 }
             }
         }
@@ -110,6 +113,9 @@ fn under(session: &ChainSession) -> Vec<Hint> {
 fn of_choice(session: &ChainSession) -> Vec<Hint> {
     let robot = session.editor().robot();
     let Some(dof) = session.node().dof(robot) else {
+        if session.editor().document().root == RootMoves::Held {
+            return vec![Hint::of(&[], "the root is held")];
+        }
         return vec![Hint::of(&["Arrows"], "move the chain")];
     };
     let joint = &robot.joints()[dof.joint];

@@ -52,7 +52,7 @@ const CHAIN_GESTURES: [(&str, &[(&str, &str)]); 4] = [
     (
         "Driving by keys",
         &[
-            ("Space", "the next joint, to the tip and round again"),
+            ("Space", "the next joint, round and round"),
             ("Shift+Space", "the joint before"),
             ("Up Down", "turn or slide it; the longer, the faster"),
             ("Left Right", "slide it; on the root, move the chain"),
@@ -123,6 +123,10 @@ fn blocks(paper: Paper, keymap: &Keymap, sought: &str) -> Vec<Block> {
         // Numbers are not typed into a drag of a chain.
         Paper::Chain => (&CHAIN_GESTURES[..], &[DRAGGING[0], DRAGGING[1], DRAGGING[4]][..]),
     };
+    let words = |action: &Action| match paper {
+        Paper::Pose => action.words(),
+        Paper::Chain => crate::chains::words(*action),
+    };
     let known = |action: &Action| paper == Paper::Pose || crate::chains::knows(*action);
     let gestures = gestures.iter().map(|(title, rows)| Block {
         title,
@@ -132,7 +136,7 @@ fn blocks(paper: Paper, keymap: &Keymap, sought: &str) -> Vec<Block> {
     let keys = Group::ALL.into_iter().map(|group| {
         let bound =
             Action::of_group(group).filter(|action| known(action) && !keymap.chords(*action).is_empty());
-        let rows = bound.map(|action| (keys_of(keymap, action), action.words().to_owned()));
+        let rows = bound.map(|action| (keys_of(keymap, action), words(&action).to_owned()));
         let besides = if group == Group::Drag { dragging } else { &[] };
         Block { title: group.words(), rows: rows.chain(besides.iter().map(fixed)).collect() }
     });

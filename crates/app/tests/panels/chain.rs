@@ -162,13 +162,14 @@ fn the_ring_of_what_is_chosen_turns_it_within_its_range() {
 fn a_dragged_link_brings_what_was_grabbed_to_the_pointer_and_escape_takes_it_back() {
     let mut hand = window("library:excavator.chain.ron");
     let (from, before) = (middle(&hand, "stick"), hand.state().editor().document().clone());
-    let to = from + vec2(-30.0, 40.0);
+    let to = from + vec2(8.0, 24.0);
     drag(&mut hand, from, &[from + vec2(-10.0, 20.0), to]);
     let reach = hand.state().last_reach().unwrap().clone();
     assert!(reach.reached && reach.link == "stick", "{reach:?}");
     assert_eq!(steps(&hand), 1);
     let at = middle(&hand, "stick");
     assert!(at.distance(to) < 1.5, "{at:?} {to:?}");
+    assert_eq!(value(&hand, "base"), 0.0, "a held root holds its base");
     assert_ne!(hand.state().editor().document().pose, before.pose);
     hand.get_by_label("stick reached");
     undo(&mut hand);
@@ -335,6 +336,30 @@ fn a_chain_is_saved_asked_about_and_opened_again() {
     assert_eq!(hand.state_mut().take_elsewhere(), Some("library:standing.pose.ron".into()));
     let fault = hand.state_mut().save(&folder.path().join("dig.txt")).unwrap_err().to_string();
     assert!(fault.contains("dig.txt"), "{fault}");
+}
+
+#[test]
+fn a_base_slides_for_a_dragged_link_when_the_root_follows_and_when_it_is_dragged_itself() {
+    let mut hand = window("library:excavator.chain.ron");
+    let tracks = middle(&hand, "base") + vec2(0.0, 60.0);
+    drag(&mut hand, tracks, &[tracks + vec2(20.0, 0.0), tracks + vec2(50.0, -20.0)]);
+    let slid = value(&hand, "base");
+    assert!(slid > 0.2 && hand.state().last_reach().is_none(), "{slid}");
+    click(&mut hand, "Root follows");
+    let stick = middle(&hand, "stick");
+    drag(&mut hand, stick, &[stick - vec2(200.0, 0.0), stick - vec2(500.0, 0.0)]);
+    let reach = hand.state().last_reach().unwrap();
+    assert!(reach.reached, "{reach:?} {:?}", hand.state().editor().document().pose);
+    assert!(value(&hand, "base") < slid - 0.1, "{}", value(&hand, "base"));
+}
+
+#[test]
+fn a_figure_s_window_hands_chains_on() {
+    let editor = edit::Editor::new(app::load::figure(None).unwrap());
+    let mut session = app::Session::new(editor, None);
+    session.open_asking(EXCAVATOR.into());
+    assert_eq!(session.take_elsewhere(), Some(EXCAVATOR.into()));
+    assert_eq!(session.take_elsewhere(), None, "once");
 }
 
 /// Roles that a user acts on.

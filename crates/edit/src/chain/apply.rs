@@ -7,8 +7,9 @@ use kin::Interval;
 use kin::chain::Root;
 use rig::{ChangeError, DofPart, Frame, NewLink, Robot, RobotGoal, RobotJointKind, RootMoves};
 
-use super::command::{ChainCommand, ChainGoal, ChainPart};
+use super::command::{ChainCommand, ChainGoal, ChainPart, ChainRoot};
 use super::document::{ChainDocument, ChainOutcome, ChainReach};
+use super::node::{self, ChainNode};
 use crate::{By, Rejected};
 
 impl From<ChangeError> for Rejected {
@@ -152,6 +153,10 @@ fn reach(document: &ChainDocument, command: &ChainCommand) -> Applied {
         root: if document.root == RootMoves::Free { (*root).into() } else { Root::Held },
         solver: (*solver).into(),
         ranges: document.ranges,
+        held: node::base(robot).filter(|base| {
+            // A base is part of what stands still, unless it is the very thing that is drawn.
+            *root == ChainRoot::Held && ChainNode::of_link(robot, link).joint(robot) != Some(*base)
+        }),
     };
     let found = robot.reach(&document.pose, document.world_from_root, &goal).map_err(Rejected)?;
     let reach = ChainReach {

@@ -73,10 +73,10 @@ impl From<ChainSolver> for Solver {
 /// What the root does while a point is brought somewhere.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum ChainRoot {
-    /// It stays.
+    /// It stays, and so does a base that slides on it.
     #[default]
     Held,
-    /// It is drawn along, as a snake's tail.
+    /// It is drawn along, as a snake's tail; a base slides.
     Follows,
 }
 

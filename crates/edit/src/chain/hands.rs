@@ -1,6 +1,7 @@
 //! What the pointer does to a chain: it turns by rings, slides along tracks, drags any link, places the whole.
 
 use glam::{DVec3, Vec2};
+use rig::DofPart;
 
 use super::command::{ChainCommand, ChainGoal, ChainPart, ChainRoot, ChainSolver};
 use super::editor::{ChainEditor, ChainRequest};
@@ -101,13 +102,7 @@ impl ChainHands {
         let grip = match self.under {
             ChainSpot::Nothing => return false,
             ChainSpot::Handle(handle) => by_handle(handle, &stage.sight, at),
-            ChainSpot::Link(hit) => {
-                let drag = Drag::begin(hit.point_in_world, &stage.sight.camera, stage.sight.ray(at));
-                match ChainNode::of_link(stage.editor.robot(), hit.link) {
-                    ChainNode::Root => Grip::Place { drag },
-                    ChainNode::Value(_) => Grip::Reach { hit, drag },
-                }
-            }
+            ChainSpot::Link(hit) => by_link(stage, hit, at),
         };
         self.held = Some(Held { spot: self.under, pressed_at: at, sight: stage.sight, grip, moved: false });
         true
@@ -178,6 +173,20 @@ impl Held {
             }
         })
     }
+}
+
+fn by_link(stage: &ChainStage, hit: LinkHit, at: Vec2) -> Grip {
+    let robot = stage.editor.robot();
+    let node = ChainNode::of_link(robot, hit.link);
+    let drag = Drag::begin(hit.point_in_world, &stage.sight.camera, stage.sight.ray(at));
+    if node == ChainNode::Root {
+        return Grip::Place { drag };
+    }
+    // What slides one way has nothing to reach for beside it.
+    let slides = node.is_base(robot) && node.dof(robot).is_some_and(|dof| dof.part == DofPart::Slide);
+    let track =
+        slides.then(|| chain_handles(stage.editor, node, &stage.sight)).and_then(|all| all.first().copied());
+    track.map_or(Grip::Reach { hit, drag }, |handle| by_handle(handle, &stage.sight, at))
 }
 
 fn by_handle(handle: ChainHandle, sight: &Sight, at: Vec2) -> Grip {

@@ -85,7 +85,7 @@ impl ChainNode {
 }
 
 /// The joint on which all others hang and that slides: what a chain drives about on.
-fn base(robot: &Robot) -> Option<usize> {
+pub(super) fn base(robot: &Robot) -> Option<usize> {
     use RobotJointKind::{Floating, Planar, Prismatic};
     let moves = |joint: usize| !robot.slot(joint).is_empty();
     let first = (0..robot.joints().len()).find(|joint| moves(*joint))?;

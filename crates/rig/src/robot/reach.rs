@@ -1,10 +1,10 @@
 //! Bringing a point of a robot somewhere.
 
 use glam::{DQuat, DVec3};
-use kin::chain::{Goal, Options, Root, Solver};
+use kin::chain::{Goal, Options, Root, Solver, Value};
 use kin::{Frame, Interval};
 
-use super::{Robot, RobotPose};
+use super::{Robot, RobotChain, RobotPose};
 
 /// As often a solve is repeated from where following joints have gone.
 const ROUNDS: usize = 12;
@@ -28,6 +28,8 @@ pub struct RobotGoal {
     pub solver: Solver,
     /// Whether joints stop at their limits.
     pub ranges: bool,
+    /// A joint that stays although it lies on the way, as a base does whose root is held. Turns of balls don't stay.
+    pub held: Option<usize>,
 }
 
 /// What came of a reach.
@@ -69,6 +71,9 @@ impl Robot {
             let node = *nodes.node_of_link.get(goal.link).ok_or("there is no such link")?;
             if !goal.ranges {
                 (0..nodes.chain.len()).for_each(|i| free(&mut nodes.chain, i));
+            }
+            if let Some(joint) = goal.held {
+                hold(&mut nodes, joint);
             }
             let asked = Goal {
                 node,
@@ -118,6 +123,16 @@ impl Robot {
 impl RobotReach {
     fn residual(&self) -> f64 {
         self.residual_m + self.residual_rad * TOLERANCE
+    }
+}
+
+/// Leaves a joint no way but where it is.
+fn hold(nodes: &mut RobotChain, joint: usize) {
+    for node in 0..nodes.chain.len() {
+        if let (true, Value::Amount(value)) = (nodes.joint_of_node(node) == Some(joint), nodes.values[node]) {
+            // What doesn't move has no range, and needs none.
+            let _ = nodes.chain.set_range(node, Interval::new(value, value));
+        }
     }
 }
 
