@@ -167,8 +167,8 @@ mod tests {
     #[test]
     fn what_lies_farthest_out_of_a_box_is_all_its_corners() {
         let corners = Bounds { min: -Vec3::ONE, max: Vec3::ONE }.corners();
-        let mut shape = Shape::default();
-        shape.triangles = (0..6).map(|i| [corners[i], corners[i + 1], corners[i + 2]]).collect();
+        let triangles = (0..6).map(|i| [corners[i], corners[i + 1], corners[i + 2]]).collect();
+        let mut shape = Shape { triangles, ..Shape::default() };
         shape.remember_outermost();
         assert!(corners.iter().all(|corner| shape.outermost.contains(corner)));
     }
