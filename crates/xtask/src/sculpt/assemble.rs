@@ -5,7 +5,6 @@ use rig::{Bone, Mesh, Skeleton};
 
 use super::eyes;
 use super::field::{Field, Lookup};
-use super::hand::FINGERS;
 use super::nets::{Surface, polygonize};
 use super::paint;
 use super::relax::relax;
@@ -29,11 +28,11 @@ pub fn mesh(
     skeleton: &Skeleton,
     within: Option<&Bounds>,
     size: impl Fn(DVec3, f64) -> f64,
-) -> Mesh {
+) -> anyhow::Result<Mesh> {
     let (net, lookup) = polygonize(field, within);
     let half = Remesh::new(&net, &lookup, size).finish(4);
     let mut mesh = Mesh::default();
-    add_twice(&mut mesh, &half.triangles, &skin(&half, &lookup, skeleton));
+    add_twice(&mut mesh, &half.triangles, &skin(&half, &lookup, skeleton)?);
     let seen = |p: &DVec3| within.is_none_or(|b| b.gap(&Bounds { low: *p, high: *p }) <= 0.0);
     if let Some((ball, normals, colors)) = eyes::left(skeleton).filter(|e| e.0.points.iter().all(seen)) {
         let vertex = |i: usize| Vertex {
@@ -46,10 +45,10 @@ pub fn mesh(
         let vertices: Vec<Vertex> = (0..ball.points.len()).map(vertex).collect();
         add_twice(&mut mesh, &ball.triangles, &vertices);
     }
-    mesh
+    Ok(mesh)
 }
 
-fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex> {
+fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> anyhow::Result<Vec<Vertex>> {
     let mut shares = half_shares(half, &Weigher::new(skeleton, lookup.field));
     let upright = |(place, face): (&DVec3, DVec3)| {
         // In a crease the field has no one slope; there the triangles decide.
@@ -58,15 +57,9 @@ fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex>
     };
     let mut normals: Vec<DVec3> = half.points.iter().zip(face_normals(half)).map(upright).collect();
     lean(half, &mut normals);
-    let drawn = shares.clone();
-    relax(half, &normals, skeleton, &mut shares).tell();
-    // Fingers may crease at their joints: mending there would bend them like hoses.
-    for (mended, drawn) in shares.iter_mut().zip(&drawn) {
-        if FINGERS.iter().flatten().map(|bone| drawn[bone.index()]).sum::<f64>() > 0.3 {
-            *mended = *drawn;
-        }
-    }
-    half.points
+    relax(half, &normals, skeleton, &mut shares)?.tell();
+    Ok(half
+        .points
         .iter()
         .zip(&shares)
         .zip(normals)
@@ -74,7 +67,7 @@ fn skin(half: &Surface, lookup: &Lookup<'_>, skeleton: &Skeleton) -> Vec<Vertex>
             let (joints, weights) = rounded(shares, skeleton, place);
             Vertex { place, normal, color: paint::skin(skeleton, lookup, place, normal), joints, weights }
         })
-        .collect()
+        .collect())
 }
 
 /// The mean normal of the triangles around each vertex, on the middle plane with those of the mirror image.

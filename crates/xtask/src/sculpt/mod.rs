@@ -26,11 +26,13 @@ mod hand;
 #[cfg(test)]
 mod handshape_tests;
 mod head;
+mod least_change;
 mod leg;
 mod nets;
 mod paint;
 mod part;
 mod physique;
+mod pinch;
 mod posing;
 mod preview;
 mod relax;
@@ -46,6 +48,7 @@ mod targets;
 #[cfg(test)]
 mod tests;
 mod torso;
+mod trials;
 mod views;
 mod weights;
 
@@ -96,7 +99,7 @@ fn skeleton(path: &Path) -> anyhow::Result<Skeleton> {
 /// The skin that fits a skeleton.
 fn mesh(skeleton: &Skeleton) -> anyhow::Result<Mesh> {
     let field = body::field(skeleton, &Physique::NEUTRAL);
-    let mesh = assemble::mesh(&field, skeleton, None, |p, bend| body::edge_length(skeleton, p, bend));
+    let mesh = assemble::mesh(&field, skeleton, None, |p, bend| body::edge_length(skeleton, p, bend))?;
     match mesh.fault() {
         Some(fault) => bail!("the sculpted mesh is faulty: {fault}"),
         None => Ok(mesh),

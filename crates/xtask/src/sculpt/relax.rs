@@ -1,27 +1,36 @@
-//! Mends weights: poses the half mesh at the ends of its ranges and draws the weights together wherever a triangle is
-//! turned inside out or nearly so, until none is left.
+//! Mends weights: poses the half mesh at the ends of its ranges and as the shipped poses have it, and changes the
+//! weights as little and as smoothly as will do wherever a triangle is turned inside out or nearly so.
 
 use glam::DVec3;
-use rig::{Angles, Bone, Mesh, Palette, Skeleton, bone_of_place, spread_twist};
+use rig::{Bone, Mesh, Skeleton, bone_of_place, spread_twist};
 
-use super::blend::mix;
 use super::buried::Depths;
-use super::faults::{askew, squeezed};
+use super::faults::askew;
+use super::least_change::{Row, least_change};
 use super::nets::Surface;
+use super::pinch::{Pinch, Pinches};
 use super::rings::Rings;
-use super::stances::{Stance, extremes, relaxed, together};
+use super::trials::{Trial, trials};
 use super::weights::{Shares, rounded};
 
 /// Rounds after which the best so far is kept.
-const ROUNDS: usize = 200;
+const ROUNDS: usize = 80;
 /// After so many rounds all poses are tried, not only those that were bad: mending one may have harmed another.
-const AGAIN: usize = 8;
+const AGAIN: usize = 4;
 /// A triangle that keeps less than this part of its area counts as turned.
-const LEAST: f32 = 0.015;
-/// How far a turned triangle's corners are drawn to their mean each round.
-const TOGETHER: f64 = 0.6;
-/// How far they are then drawn to their neighbours, so that nothing stays ragged.
-const EVEN: f64 = 0.12;
+const TURNED: f64 = 0.01;
+/// As much of its area as it is to be given back.
+const WANTED: f64 = 0.06;
+/// As much of it as one round may give back: slopes hold only so far.
+const AT_ONCE: f64 = 0.4;
+/// Poses at most that a triangle is mended for in one round, the worst ones.
+const WORST: usize = 3;
+/// The least mean share around a vertex of a bone that it may come to follow.
+const NEAR: f64 = 0.004;
+/// How much a difference between what neighbours change weighs against what triangles ask.
+const SMOOTH: f64 = 0.05;
+/// How much a share may change in one round.
+const CHANGE: f64 = 0.12;
 
 /// What mending could not mend.
 #[derive(Clone, Debug, Default)]
@@ -41,100 +50,112 @@ impl Remains {
     }
 }
 
-/// The triangles that each pose turns.
-type Turned = Vec<(usize, Vec<usize>)>;
-
-/// Draws the shares of a half mesh together where poses ask for it, as little as will do: a triangle that is turned
-/// makes its corners more alike, which makes the next one steeper, until all between them share the burden.
-pub fn relax(half: &Surface, normals: &[DVec3], skeleton: &Skeleton, shares: &mut [Shares]) -> Remains {
-    let rings = Rings::new(half);
+/// Changes the shares of a half mesh where poses ask for it.
+///
+/// # Errors
+/// A shipped pose that cannot be read.
+pub fn relax(
+    half: &Surface,
+    normals: &[DVec3],
+    skeleton: &Skeleton,
+    shares: &mut [Shares],
+) -> anyhow::Result<Remains> {
+    let mut rings = Rings::new(half);
+    rings.settle_fingers(shares);
     let held = middles(half, skeleton, shares);
     let mut mesh = bare(half, normals);
+    let pinches = Pinches::new(half, normals, &mesh, skeleton);
     dress(&mut mesh, half, skeleton, shares);
-    let depths = Depths::new(&whole(&mesh));
-    let poses: Vec<(Stance, Palette)> =
-        training(skeleton).into_iter().filter_map(|stance| depths.freed(skeleton, stance)).collect();
+    let trials = trials(skeleton, &Depths::new(&whole(&mesh)))?;
     // A triangle of a crease that lies askew at rest is none of a weight's business.
     let mut upright = vec![true; half.triangles.len()];
     askew(&mesh).into_iter().for_each(|t| upright[t] = false);
-    let mut best = (usize::MAX, shares.to_vec(), Turned::new(), 0);
-    let mut open: Vec<usize> = (0..poses.len()).collect();
+    let mut best = (usize::MAX, shares.to_vec(), Vec::new(), 0);
+    let mut open: Vec<usize> = (0..trials.len()).collect();
     for round in 0..ROUNDS {
         dress(&mut mesh, half, skeleton, shares);
-        let look = |i: &usize| {
-            let mut turned = squeezed(&mesh, &poses[*i].1, LEAST);
-            turned.retain(|t| upright[*t]);
-            (*i, turned)
-        };
-        let turned: Turned = open.iter().map(look).filter(|t| !t.1.is_empty()).collect();
-        let count = turned.iter().map(|t| t.1.len()).sum();
-        let all = open.len() == poses.len();
-        if all && count < best.0 {
-            best = (count, shares.to_vec(), turned.clone(), round);
+        let look = |i: &usize| pinches.find(&mesh, &trials[*i].palette, *i, WANTED);
+        let mut found: Vec<Pinch> = open.iter().flat_map(look).collect();
+        found.retain(|p| upright[p.triangle as usize]);
+        let turned: Vec<Pinch> = found.iter().filter(|p| p.left < TURNED).copied().collect();
+        let all = open.len() == trials.len();
+        if all && turned.len() < best.0 {
+            best = (turned.len(), shares.to_vec(), turned.clone(), round);
         }
-        if all && count == 0 {
+        if all && turned.is_empty() {
             break;
         }
         let again = round % AGAIN == AGAIN - 2 || turned.is_empty();
-        open = if again { (0..poses.len()).collect() } else { turned.iter().map(|t| t.0).collect() };
-        draw_together(half, &rings, &held, &turned, shares);
+        open = if again { (0..trials.len()).collect() } else { with_pinches(&found) };
+        let rows = rows(&pinches, &mesh, &trials, worst(found), &rings, shares);
+        let change = least_change(&rows, &rings, &held, SMOOTH);
+        apply(&rings, change, shares);
     }
     shares.copy_from_slice(&best.1);
-    let place = |t: &[usize]| half.points[half.triangles[t[0]][0] as usize];
-    let told = |(i, t): &(usize, Vec<usize>)| (poses[*i].0.name.clone(), t.len(), place(t));
-    Remains { rounds: best.3, turned: best.2.iter().map(told).collect() }
+    Ok(Remains { rounds: best.3, turned: told(half, &trials, &best.2) })
 }
 
-/// One round: corners of turned triangles toward their means, then a little toward their neighbours.
-fn draw_together(half: &Surface, rings: &Rings, held: &[bool], turned: &Turned, shares: &mut [Shares]) {
-    let mut triangles: Vec<usize> = turned.iter().flat_map(|t| &t.1).copied().collect();
-    triangles.sort_unstable();
-    triangles.dedup();
-    let mut sums = vec![([0.0; Bone::COUNT], 0.0); half.points.len()];
-    for t in triangles {
-        let corners = half.triangles[t].map(|v| v as usize);
-        let mean: Shares = std::array::from_fn(|b| corners.iter().map(|&v| shares[v][b]).sum::<f64>() / 3.0);
-        for v in corners {
-            sums[v].0.iter_mut().zip(&mean).for_each(|(sum, mean)| *sum += mean);
-            sums[v].1 += 1.0;
-        }
-    }
-    for (v, (sum, count)) in sums.iter().enumerate().filter(|(v, s)| s.1 > 0.0 && !held[*v]) {
-        shares[v].iter_mut().zip(sum).for_each(|(share, sum)| *share = mix(*share, sum / count, TOGETHER));
+fn with_pinches(found: &[Pinch]) -> Vec<usize> {
+    let mut poses: Vec<usize> = found.iter().map(|p| p.pose as usize).collect();
+    poses.dedup();
+    poses
+}
+
+/// What is left, by pose.
+fn told(half: &Surface, trials: &[Trial], turned: &[Pinch]) -> Vec<(String, usize, DVec3)> {
+    let place = |p: &Pinch| half.points[half.triangles[p.triangle as usize][0] as usize];
+    turned
+        .chunk_by(|a, b| a.pose == b.pose)
+        .map(|of_pose| (trials[of_pose[0].pose as usize].name.clone(), of_pose.len(), place(&of_pose[0])))
+        .collect()
+}
+
+/// For each triangle the few poses that squeeze it most.
+fn worst(mut found: Vec<Pinch>) -> Vec<Pinch> {
+    found.sort_by(|a, b| {
+        a.triangle.cmp(&b.triangle).then(a.left.total_cmp(&b.left)).then(a.pose.cmp(&b.pose))
+    });
+    found
+        .chunk_by(|a, b| a.triangle == b.triangle)
+        .flat_map(|of| &of[..of.len().min(WORST)])
+        .copied()
+        .collect()
+}
+
+/// What each triangle asks of the shares.
+fn rows(
+    pinches: &Pinches<'_>,
+    mesh: &Mesh,
+    trials: &[Trial],
+    found: Vec<Pinch>,
+    rings: &Rings,
+    shares: &[Shares],
+) -> Vec<Row> {
+    let row = |pinch: &Pinch| {
+        let palette = &trials[pinch.pose as usize].palette;
+        let slopes = pinches.slopes(mesh, palette, *pinch, |v| rings.bones_near(v, shares, NEAR));
+        let length = slopes.iter().map(|s| s.2 * s.2).sum::<f64>().sqrt();
+        let short = (WANTED - pinch.left).min(AT_ONCE) / length.max(1e-9);
+        let parts = slopes.into_iter().map(|(v, bone, slope)| (v, bone, slope / length.max(1e-9))).collect();
+        (length > 1e-3).then_some(Row { parts, short })
+    };
+    found.iter().filter_map(row).collect()
+}
+
+/// Adds a change to the shares, as much of it as may be at once.
+fn apply(rings: &Rings, change: Vec<(usize, Shares)>, shares: &mut [Shares]) {
+    for (v, change) in change {
+        let most = change.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let part = (CHANGE / most.max(1e-12)).min(1.0);
+        shares[v].iter_mut().zip(&change).for_each(|(s, c)| *s = (*s + part * c).max(0.0));
+        let sum: f64 = shares[v].iter().sum();
+        shares[v].iter_mut().for_each(|s| *s /= sum.max(1e-12));
         rings.tidy(v, &mut shares[v]);
     }
-    rings.even(shares, |v| if sums[v].1 > 0.0 && !held[v] { EVEN } else { 0.0 });
-}
-
-/// The poses to try: the left half's extremes from rest; around the shoulder from hanging arms, too; legs together and
-/// the right one alone, which pulls at the skin between them.
-fn training(skeleton: &Skeleton) -> Vec<Stance> {
-    // Cones stand in the figure file; without it, nothing but single extremes is known.
-    let ranges = interchange::figure::bare_mannequin().map_or_else(|_| skeleton.clone(), |f| f.skeleton);
-    let mut all = extremes(&ranges, &[Angles::REST; Bone::COUNT], 1);
-    let moves = |s: &Stance, bones: &[Bone]| bones.iter().any(|b| s.name.starts_with(b.name()));
-    let collar = [Bone::LeftShoulder, Bone::UpperChest, Bone::Neck];
-    all.extend(extremes(&ranges, &relaxed(), 1).into_iter().filter(|s| moves(s, &collar)));
-    all.extend(together(&ranges));
-    let twins = [Bone::LeftUpperLeg, Bone::LeftShoulder];
-    for stance in all.clone().into_iter().filter(|s| moves(s, &twins)) {
-        for both in [false, true] {
-            let mut other = stance.clone();
-            for bone in twins {
-                other.angles[bone.mirrored().index()] = stance.angles[bone.index()];
-                if !both {
-                    other.angles[bone.index()] = Angles::REST;
-                }
-            }
-            other.name = format!("{} {}", if both { "both" } else { "right" }, stance.name);
-            all.push(other);
-        }
-    }
-    all
 }
 
 /// The vertices that follow nothing but the middle of a limb's segment: they stay as they are, so that no joint's blend
-/// runs into the next one's. So do those between the thighs.
+/// runs into the next one's.
 fn middles(half: &Surface, skeleton: &Skeleton, shares: &[Shares]) -> Vec<bool> {
     let segments = [
         (Bone::LeftUpperArm, Bone::LeftLowerArm, 0.40),
@@ -142,19 +163,12 @@ fn middles(half: &Surface, skeleton: &Skeleton, shares: &[Shares]) -> Vec<bool> 
         (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.54),
         (Bone::LeftLowerLeg, Bone::LeftFoot, 0.40),
     ];
-    // Between the thighs there is no room to spread: what is drawn together there pulls at all of the inner thigh.
-    let [hip, knee] = [Bone::LeftUpperLeg, Bone::LeftLowerLeg].map(|b| skeleton.rest_position(b));
-    let between = |p: DVec3| {
-        let along = (p - hip).dot(knee - hip) / (knee - hip).length_squared();
-        p.x < 0.7 * hip.x && (0.12..0.62).contains(&along)
-    };
     let held = |v: usize| {
-        between(half.points[v])
-            || segments.iter().any(|&(bone, next, from_here)| {
-                let [from, to] = [bone, next].map(|b| skeleton.rest_position(b));
-                let along = (half.points[v] - from).dot(to - from) / (to - from).length_squared();
-                shares[v][bone.index()] > 0.9 && (from_here..0.68).contains(&along)
-            })
+        segments.iter().any(|&(bone, next, from_here)| {
+            let [from, to] = [bone, next].map(|b| skeleton.rest_position(b));
+            let along = (half.points[v] - from).dot(to - from) / (to - from).length_squared();
+            shares[v][bone.index()] > 0.9 && (from_here..0.68).contains(&along)
+        })
     };
     (0..half.points.len()).map(held).collect()
 }

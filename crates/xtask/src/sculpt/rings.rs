@@ -14,6 +14,8 @@ const MIDDLE_M: f64 = 0.003;
 pub struct Rings {
     neighbours: Vec<Vec<u32>>,
     middle: Vec<bool>,
+    /// Which finger each may follow; nothing before that is settled.
+    fingers: Vec<Option<usize>>,
 }
 
 impl Rings {
@@ -27,7 +29,56 @@ impl Rings {
                 }
             }
         }
-        Rings { neighbours, middle: half.points.iter().map(|p| p.x < MIDDLE_M).collect() }
+        let middle = half.points.iter().map(|p| p.x < MIDDLE_M).collect();
+        Rings { neighbours, middle, fingers: Vec::new() }
+    }
+
+    /// A vertex's neighbours.
+    pub fn around(&self, v: usize) -> &[u32] {
+        &self.neighbours[v]
+    }
+
+    /// Settles for good which finger each vertex may follow: the one that it follows, else that of the nearest that does.
+    pub fn settle_fingers(&mut self, all: &[Shares]) {
+        let own = |shares: &Shares| {
+            let finger = strongest_finger(shares);
+            (finger_shares(shares)[finger] > 0.0).then_some(finger)
+        };
+        let mut fingers: Vec<Option<usize>> = all.iter().map(own).collect();
+        let mut front: Vec<usize> = (0..all.len()).filter(|&v| fingers[v].is_some()).collect();
+        while !front.is_empty() {
+            let mut next = Vec::new();
+            for v in front {
+                for &w in &self.neighbours[v] {
+                    let w = w as usize;
+                    if fingers[w].is_none() {
+                        fingers[w] = fingers[v];
+                        next.push(w);
+                    }
+                }
+            }
+            front = next;
+        }
+        self.fingers = fingers;
+    }
+
+    /// Whether a vertex may follow a bone: in the middle none of a side, of fingers but the settled one.
+    pub fn may_follow(&self, v: usize, bone: Bone) -> bool {
+        let finger = FINGERS.iter().position(|finger| finger.contains(&bone));
+        let settled = self.fingers.get(v).copied().flatten();
+        !(self.middle[v] && bone.side().is_some())
+            && (finger.is_none() || settled.is_none() || finger == settled)
+    }
+
+    /// The bones that a vertex may follow of which it and its neighbours have more than a mean share.
+    pub fn bones_near(&self, v: usize, all: &[Shares], share: f64) -> Vec<Bone> {
+        let ring = self.around(v);
+        let near = |bone: &Bone| {
+            let i = bone.index();
+            let sum = all[v][i] + ring.iter().map(|w| all[*w as usize][i]).sum::<f64>();
+            sum > share * (ring.len() + 1) as f64 && self.may_follow(v, *bone)
+        };
+        Bone::ALL.into_iter().filter(near).collect()
     }
 
     /// Draws each vertex's shares toward the mean of its neighbours', by a fraction for each vertex.
@@ -63,12 +114,20 @@ fn give_back(shares: &mut Shares, sides: impl Fn(Side) -> bool) {
     }
 }
 
+fn finger_shares(shares: &Shares) -> [f64; FINGERS.len()] {
+    FINGERS.each_ref().map(|finger| finger.iter().map(|b| shares[b.index()]).sum::<f64>())
+}
+
+/// The first of those that a vertex follows most.
+fn strongest_finger(shares: &Shares) -> usize {
+    let sums = finger_shares(shares);
+    (0..FINGERS.len()).max_by(|a, b| sums[*a].total_cmp(&sums[*b]).then(b.cmp(a))).unwrap_or(0)
+}
+
 /// Leaves the strongest finger alone; the others' shares go to the hand.
 fn one_finger(shares: &mut Shares) {
-    let of = |finger: &[Bone; 3]| finger.iter().map(|b| shares[b.index()]).sum::<f64>();
-    let sums = FINGERS.each_ref().map(of);
-    let strongest = (0..FINGERS.len()).max_by(|a, b| sums[*a].total_cmp(&sums[*b]).then(b.cmp(a)));
-    for (_, finger) in FINGERS.iter().enumerate().filter(|(f, _)| Some(*f) != strongest) {
+    let strongest = strongest_finger(shares);
+    for (_, finger) in FINGERS.iter().enumerate().filter(|(f, _)| *f != strongest) {
         for bone in finger {
             let share = std::mem::take(&mut shares[bone.index()]);
             shares[Bone::LeftHand.index()] += share;

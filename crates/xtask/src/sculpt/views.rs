@@ -117,7 +117,7 @@ pub fn run(order: &[String], skeleton: &Skeleton) -> anyhow::Result<()> {
     }
     let field = body::field(skeleton, &physique);
     let size = |p: DVec3, bend: f64| body::edge_length(skeleton, p, bend);
-    let mut mesh = assemble::mesh(&field, skeleton, only.bounds(skeleton).as_ref(), size);
+    let mut mesh = assemble::mesh(&field, skeleton, only.bounds(skeleton).as_ref(), size)?;
     rig::spread_twist(&mut mesh, skeleton);
     println!("{} vertices, {} triangles", mesh.vertex_count(), mesh.indices.len() / 3);
     write(&mesh, skeleton, Path::new(folder), only, &fist)?;

@@ -18,7 +18,8 @@ pub type Shares = [f64; Bone::COUNT];
 pub struct Weigher<'a> {
     skeleton: &'a Skeleton,
     field: &'a Field,
-    thumb: usize,
+    /// The fingers' places among the field's parts, the thumb's first.
+    fingers: [usize; 5],
     /// Size of the figure over that of the drawn one.
     scale: f64,
 }
@@ -26,8 +27,9 @@ pub struct Weigher<'a> {
 impl<'a> Weigher<'a> {
     /// For a body and its skeleton.
     pub fn new(skeleton: &'a Skeleton, field: &'a Field) -> Weigher<'a> {
-        let thumb = field.parts().iter().position(|p| p.region == Region::Finger(0)).unwrap_or(0);
-        Weigher { skeleton, field, thumb, scale: figure_scale(skeleton) }
+        let place = |f| field.parts().iter().position(|p| p.region == Region::Finger(f)).unwrap_or(0);
+        let fingers = [0, 1, 2, 3, 4].map(place);
+        Weigher { skeleton, field, fingers, scale: figure_scale(skeleton) }
     }
 
     fn at(&self, bone: Bone) -> DVec3 {
@@ -86,8 +88,10 @@ impl<'a> Weigher<'a> {
     }
 
     fn hand(&self, p: DVec3, share: f64, shares: &mut Shares) {
-        let (finger, part) = self.finger_share(p);
-        let d = self.field.part_distances(p)[self.thumb] / self.scale;
+        let distances = self.field.part_distances(p);
+        let distances = self.fingers.map(|part| distances[part] / self.scale);
+        let (finger, part) = self.finger_share(p, &distances);
+        let d = distances[0];
         let [base, next, _] = FINGERS[0].map(|b| self.at(b));
         let t = (p - base).dot((next - base).normalize_or_zero()) / self.scale;
         let thumb = ramp((0.012 - d) / 0.022) * ease(-0.016, 0.040, t);
@@ -100,10 +104,15 @@ impl<'a> Weigher<'a> {
     }
 
     /// The one long finger that may move a point of the hand, and how much.
-    fn finger_share(&self, p: DVec3) -> (usize, f64) {
+    fn finger_share(&self, p: DVec3, distances: &[f64; 5]) -> (usize, f64) {
         let aside = |f: usize| (p.z - self.at(FINGERS[f][0]).z).abs();
+        // Beyond the web fingers lie so near each other that one bulges past the middle between both.
+        let far = |f: usize| {
+            let beyond = ease(0.012, 0.020, self.from(FINGERS[f][0], p).x);
+            mix(aside(f) / self.scale, distances[f], beyond)
+        };
         let mut order = [1, 2, 3, 4];
-        order.sort_by(|a, b| aside(*a).total_cmp(&aside(*b)));
+        order.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
         let [first, second, ..] = order;
         let to_border = 0.5 * (aside(second) - aside(first)) / self.scale;
         let d = self.from(FINGERS[first][0], p);
