@@ -41,12 +41,12 @@ fn cheeks(f: &Fit, e: &Ends, part: &mut Part) {
     let jowl = f.ball([0.0400, 1.5240, 0.0600], [0.0420, 0.0380, 0.0520]);
     raise(part, 5.5 * e.heavy + 1.8 * e.old + 0.8 * e.child - 0.8 * e.slender, jowl);
     let angle = [
-        [0.0520, 1.5520, 0.0020, 0.0320],
-        [0.0460, 1.5320, 0.0260, 0.0310],
-        [0.0340, 1.5190, 0.0560, 0.0270],
+        [0.0515, 1.5510, 0.0020, 0.0320],
+        [0.0450, 1.5290, 0.0260, 0.0310],
+        [0.0325, 1.5140, 0.0560, 0.0270],
     ];
     raise(part, 3.0 * e.male - 3.0 * e.female - 2.4 * e.child + 1.2 * e.muscle, f.strand(&angle));
-    let chin = f.ball([0.0, 1.5130, 0.1040], [0.0360, 0.0280, 0.0270]);
+    let chin = f.ball([0.0, 1.5080, 0.1040], [0.0360, 0.0290, 0.0270]);
     raise(part, 2.6 * e.male - 1.6 * e.female - 4.2 * e.child + 0.8 * e.old, chin);
     // Folds from the wings of the nose to the corners of the mouth, pouches under the eyes.
     let fold = [
@@ -81,7 +81,7 @@ fn nose_and_mouth(f: &Fit, e: &Ends, part: &mut Part) {
 
 fn throat(head: &Fit, f: &Fit, e: &Ends, part: &mut Part) {
     let under =
-        [[0.0, 1.5000, 0.0780, 0.0420], [0.0160, 1.4990, 0.0640, 0.0420], [0.0260, 1.5060, 0.0400, 0.0400]];
+        [[0.0, 1.4950, 0.0780, 0.0420], [0.0160, 1.4945, 0.0640, 0.0420], [0.0260, 1.5030, 0.0400, 0.0400]];
     raise(part, 9.0 * e.heavy + 2.6 * e.old + 1.2 * e.child - 1.2 * e.slender, head.strand(&under));
     let larynx = f.ball([0.0, 1.4870, 0.0510], [0.0140, 0.0180, 0.0160]);
     raise(part, 3.4 * e.male - 2.2 * e.female - 2.6 * e.child + 1.0 * e.old - 1.5 * e.heavy, larynx);

@@ -25,11 +25,11 @@ const SEAM: f64 = 1.5461;
 /// White of the eye, iris and its rim, pupil.
 pub const EYE_WHITE: DVec3 = DVec3::new(0.720, 0.690, 0.650);
 /// The iris near the pupil and farther out.
-pub const IRIS_HEART: DVec3 = DVec3::new(0.190, 0.130, 0.075);
+pub const IRIS_HEART: DVec3 = DVec3::new(0.150, 0.088, 0.048);
 /// The iris.
-pub const IRIS: DVec3 = DVec3::new(0.140, 0.135, 0.110);
+pub const IRIS: DVec3 = DVec3::new(0.098, 0.064, 0.042);
 /// The dark ring around the iris.
-pub const IRIS_RIM: DVec3 = DVec3::new(0.035, 0.045, 0.050);
+pub const IRIS_RIM: DVec3 = DVec3::new(0.040, 0.030, 0.026);
 /// The pupil.
 pub const PUPIL: DVec3 = DVec3::new(0.006, 0.006, 0.008);
 
@@ -42,7 +42,7 @@ pub fn skin(skeleton: &Skeleton, field: &Lookup<'_>, p: DVec3, normal: DVec3) ->
     // The renderer darkens hollows, too: here they only turn warmer.
     let mut color = tone(skeleton, drawn, p).lerp(HOLLOW, 0.42 * shut);
     color = color.lerp(LIPS, 0.60 * lips(drawn));
-    color = color.lerp(BROW, 0.50 * brow(drawn));
+    color = color.lerp(BROW, 0.42 * brow(drawn));
     color = color.lerp(LASH, lashes(drawn)).lerp(CORNER, 0.8 * corner(drawn));
     color = color.lerp(MOUTH, 0.55 * ease(0.0022, 0.0, (drawn.y - seam(drawn)).abs()) * lips(drawn));
     color.lerp(NAIL, 0.8 * nail)
@@ -53,7 +53,7 @@ fn tone(skeleton: &Skeleton, drawn: DVec3, p: DVec3) -> DVec3 {
     let spot = |at: [f64; 3], reach: f64, q: DVec3| ease(reach, 0.0, q.distance(DVec3::from(at)));
     let face = 0.55 * spot([0.042, 1.578, 0.082], 0.030, drawn)
         + 0.55 * spot([0.0, 1.577, 0.120], 0.020, drawn)
-        + 0.30 * spot([0.0, 1.512, 0.105], 0.022, drawn)
+        + 0.30 * spot([0.0, 1.508, 0.105], 0.022, drawn)
         + 0.60 * spot([0.072, 1.590, -0.015], 0.042, drawn) * ease(0.066, 0.073, drawn.x);
     let g = figure_scale(skeleton);
     let reddest = |finger: usize| {
@@ -80,7 +80,7 @@ fn closeness(field: &Lookup<'_>, p: DVec3, normal: DVec3, scale: f64) -> f64 {
 /// The height of the line between the lips, as sculpted.
 fn seam(p: DVec3) -> f64 {
     let x = p.x.abs();
-    SEAM + 0.0006 * ease(0.0, 0.006, x) + 0.0011 * ease(0.012, 0.0235, x)
+    SEAM + 0.0006 * ease(0.0, 0.006, x) + 0.0017 * ease(0.012, 0.0235, x)
 }
 
 fn lips(p: DVec3) -> f64 {
@@ -114,9 +114,9 @@ fn brow(p: DVec3) -> f64 {
         return 0.0;
     }
     let x = p.x.abs();
-    let line = 1.6285 + 0.0055 * ease(0.012, 0.038, x) - 0.0060 * ease(0.038, 0.056, x);
-    let half = mix(0.0035, 0.0012, ease(0.020, 0.055, x));
-    ease(half + 0.0016, half - 0.0010, (p.y - line).abs()) * ease(0.010, 0.0145, x) * ease(0.0560, 0.0490, x)
+    let line = 1.6305 + 0.0040 * ease(0.014, 0.038, x) - 0.0060 * ease(0.038, 0.056, x);
+    let half = mix(0.0027, 0.0012, ease(0.020, 0.055, x));
+    ease(half + 0.0016, half - 0.0010, (p.y - line).abs()) * ease(0.0115, 0.0190, x) * ease(0.0560, 0.0460, x)
 }
 
 fn nails(skeleton: &Skeleton, p: DVec3) -> f64 {

@@ -62,11 +62,11 @@ impl<'a> Weigher<'a> {
     /// How much of a point belongs to the arm beyond the shoulder joint.
     fn arm_share(&self, p: DVec3) -> f64 {
         let d = self.from(Bone::LeftUpperArm, p);
-        let closes = [(DVec3::NEG_Y, 1.35), (DVec3::Y, 1.5), (DVec3::Z, 2.1), (DVec3::NEG_Z, 1.2)];
-        let bend = Bend { closes: &closes, least: 0.040, most: 0.078 };
-        // The skin over the joint turns early, the armpit late; the flank below it not at all.
-        let middle = mix(-0.026, -0.010, ease(-0.05, 0.05, d.y));
-        bend.share(d, d.x - middle) * ease(-0.105, -0.042, d.y + 0.5 * d.x.max(0.0))
+        let closes = [(DVec3::NEG_Y, 1.35), (DVec3::Y, 1.5), (DVec3::Z, 2.1), (DVec3::NEG_Z, 1.5)];
+        let bend = Bend { closes: &closes, least: 0.040, most: 0.085 };
+        // Beyond the joint below, so that the pit of a hanging arm lies low and shuts; the flank below turns not at all.
+        let middle = mix(0.012, 0.002, ease(-0.05, 0.05, d.y));
+        bend.share(d, d.x - middle) * ease(-0.125, -0.047, d.y + 0.5 * d.x.max(0.0))
     }
 
     fn arm(&self, p: DVec3, share: f64, shares: &mut Shares) {
@@ -187,8 +187,10 @@ impl<'a> Weigher<'a> {
         let rise = |bone: Bone, reach: f64| ramp(self.from(bone, p).y / reach);
         let x = p.x / self.scale;
         let skull = self.from(Bone::Head, p);
-        // The head's border rises from the throat to the nape; under the chin there is room to fold.
-        let head = ramp((skull.y + 0.020 + 0.55 * skull.z) / (0.034 + 0.25 * skull.z.clamp(0.0, 0.08)));
+        // The head's border rises from the throat to the nape and leaves it the chin; under that there is room to fold.
+        let chin = 0.45 * (skull.z - 0.030).max(0.0);
+        let head =
+            ramp((skull.y + 0.020 + 0.55 * skull.z + chin) / (0.034 + 0.25 * skull.z.clamp(0.0, 0.08)));
         let top = rise(Bone::UpperChest, 0.072);
         let chest = rise(Bone::Chest, 0.072);
         let spine = rise(Bone::Spine, 0.065);
