@@ -37,16 +37,17 @@ fn heights(mesh: &Mesh) -> (f64, f64) {
     (f64::from(of(f32::min, f32::MAX)), f64::from(of(f32::max, f32::MIN)))
 }
 
-/// Chin to crown, metres: the chin is the lowest vertex that the jaw moves most and the neck hardly.
+/// Chin to crown, metres, as a caliper finds it: down the middle of the face from the tip of the nose until the skin
+/// turns back under the chin.
 fn head_height(mesh: &Mesh) -> f64 {
-    let share = |v: usize, bone: Bone| {
-        let rows = mesh.joints[v].iter().zip(mesh.weights[v]);
-        rows.filter(|(j, _)| usize::from(**j) == bone.index()).map(|(_, w)| u32::from(w)).sum::<u32>()
-    };
-    let jaw =
-        |v: &usize| share(*v, Bone::Jaw) > 32_767 && share(*v, Bone::Jaw) + share(*v, Bone::Head) > 62_244;
-    let chin = (0..mesh.vertex_count()).filter(jaw).map(|v| mesh.positions[v][1]).fold(f32::MAX, f32::min);
-    heights(mesh).1 - f64::from(chin)
+    let (low, crown) = heights(mesh);
+    let middle: Vec<[f32; 3]> = mesh.positions.iter().copied().filter(|p| p[0].abs() < 0.004).collect();
+    // From the crown down to a third of the stature there is nothing in front of the nose.
+    let nose = middle.iter().filter(|p| f64::from(p[1]) > low + 0.8 * (crown - low)).map(|p| p[2]);
+    let tip = nose.fold(f32::MIN, f32::max);
+    let face = |p: &&[f32; 3]| f64::from(p[1]) > low + 0.75 * (crown - low) && p[2] > 0.62 * tip;
+    let chin = middle.iter().filter(face).map(|p| p[1]).fold(f32::MAX, f32::min);
+    crown - f64::from(chin)
 }
 
 fn length(figure: &Figure, from: Bone, to: Bone) -> f64 {

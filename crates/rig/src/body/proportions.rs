@@ -10,6 +10,9 @@ const STATURE_BY_HEAD_JOINT: f64 = 1.72 / 1.562;
 /// Chin to crown over the stature where there is no skin to measure. [DRILLIS-CONTINI-1966]
 const HEAD_BY_STATURE: f64 = 0.130;
 
+/// The chin lies before this part of the way from the head's joint to the tip of the nose.
+const CHIN_FRONT: f32 = 0.62;
+
 /// A point of the body and what moves it.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
@@ -64,7 +67,7 @@ impl Marks {
         })
     }
 
-    /// The lowest and the highest vertex, and the lowest of the jaw or, without one, of the head's front.
+    /// The lowest and the highest vertex, and the lowest of the head's front.
     fn of_skin(skeleton: &Skeleton, mesh: &Mesh) -> Option<Marks> {
         let share = |v: usize, wanted: &[Bone]| -> u32 {
             let rows = mesh.joints[v].iter().zip(mesh.weights[v]);
@@ -79,13 +82,11 @@ impl Marks {
             all.clone().filter(|v| share(*v, bones) > u32::from(u16::MAX / 2)).collect()
         };
         let head = most(&[Bone::Head, Bone::Jaw, Bone::LeftEye, Bone::RightEye]);
-        // Of the jaw what the neck doesn't hold: it keeps its place on a head of another size.
-        let own = |v: &usize| share(*v, &[Bone::Head, Bone::Jaw]) > u32::from(u16::MAX / 20 * 19);
-        let jaw = most(&[Bone::Jaw]).into_iter().filter(own).min_by(lowest);
+        // Further back the skin under the chin runs down into the throat.
         let joint = skeleton.rest_position(Bone::Head).z as f32;
         let foremost = head.iter().map(|v| mesh.positions[*v][2]).fold(joint, f32::max);
-        let front = |v: &&usize| mesh.positions[**v][2] > 0.5 * (joint + foremost);
-        let chin = jaw.or_else(|| head.iter().filter(front).copied().min_by(lowest))?;
+        let front = |v: &usize| mesh.positions[*v][2] > joint + CHIN_FRONT * (foremost - joint);
+        let chin = head.iter().copied().filter(front).min_by(lowest)?;
         Some(Marks {
             sole: Mark::of_vertex(mesh, all.clone().min_by(lowest)?),
             crown: Mark::of_vertex(mesh, all.max_by(lowest)?),
