@@ -19,10 +19,10 @@ pub const FINGERS: [[Bone; 3]; 5] = [
 ];
 
 /// Last bone's length over the one before it.
-const TIP: [f64; 5] = [0.800, 0.677, 0.636, 0.648, 0.797];
+const TIP: [f64; 5] = [0.800, 0.774, 0.715, 0.730, 0.903];
 
 /// Half the width of each finger at its middle joint, metres.
-const WIDTH: [f64; 5] = [0.0110, 0.0090, 0.0091, 0.0086, 0.0077];
+const WIDTH: [f64; 5] = [0.0110, 0.0094, 0.0093, 0.0084, 0.0077];
 
 /// Sections of a long finger: the bone (0 to 2), how far along it, half width, height to the back, to the palm side;
 /// in half widths of the middle joint. Joints are wide, pads lie between them.
@@ -37,9 +37,9 @@ const FINGER: [(usize, f64, [f64; 3]); 13] = [
     (1, 0.50, [0.90, 0.77, 0.98]),
     (1, 0.82, [0.87, 0.76, 0.87]),
     (1, 1.00, [0.89, 0.78, 0.79]),
-    (2, 0.25, [0.85, 0.71, 0.85]),
-    (2, 0.55, [0.81, 0.63, 0.86]),
-    (2, 0.80, [0.70, 0.52, 0.74]),
+    (2, 0.25, [0.85, 0.71, 0.82]),
+    (2, 0.55, [0.81, 0.63, 0.81]),
+    (2, 0.80, [0.70, 0.52, 0.69]),
 ];
 
 /// Sections of the thumb, from within the ball of the thumb on.
@@ -51,10 +51,10 @@ const THUMB: [(usize, f64, [f64; 3]); 11] = [
     (1, 0.30, [0.96, 0.87, 1.06]),
     (1, 0.70, [0.93, 0.84, 0.98]),
     (1, 1.00, [1.00, 0.93, 0.90]),
-    (2, 0.22, [0.99, 0.85, 0.95]),
-    (2, 0.50, [0.98, 0.73, 0.98]),
-    (2, 0.70, [0.90, 0.63, 0.90]),
-    (2, 0.82, [0.80, 0.54, 0.76]),
+    (2, 0.22, [0.99, 0.85, 0.89]),
+    (2, 0.50, [0.98, 0.73, 0.87]),
+    (2, 0.70, [0.90, 0.63, 0.80]),
+    (2, 0.82, [0.80, 0.54, 0.69]),
 ];
 
 /// The drawn places from the wrist to the knuckles.
@@ -77,8 +77,8 @@ pub fn palm(skeleton: &Skeleton) -> Part {
         (0.714, [-0.001, 0.001, 0.0178, 0.0188, 0.0280, 0.0262, 0.35]),
         (0.735, [-0.001, 0.000, 0.0165, 0.0175, 0.0305, 0.0320, 0.45]),
         (0.758, [-0.001, -0.002, 0.0142, 0.0160, 0.0330, 0.0360, 0.55]),
-        (0.774, [-0.001, -0.003, 0.0122, 0.0142, 0.0355, 0.0370, 0.62]),
-        (0.787, [-0.001, -0.003, 0.0098, 0.0122, 0.0360, 0.0365, 0.66]),
+        (0.774, [-0.001, -0.003, 0.0122, 0.0142, 0.0355, 0.0360, 0.62]),
+        (0.787, [-0.001, -0.003, 0.0098, 0.0122, 0.0360, 0.0310, 0.66]),
     ];
     palm.add(0.0, f.loft([0.704, 1.388, 0.0], DVec3::Y, DVec3::Z, 0.010, &rows));
     pads(&f, &mut palm);
@@ -115,10 +115,18 @@ fn pads(f: &Fit, palm: &mut Part) {
     );
 }
 
-/// The skin between the long fingers: on the palm's side half way to their middle joints, sloping up to the knuckles.
+/// The skin between the long fingers: from between the knuckles it slopes down to the palm's side and ends two fifths of
+/// the way to the middle joints.
 fn webs(f: &Fit, palm: &mut Part) {
-    for (x, y, z) in [(0.8020, 1.3850, 0.0145), (0.8000, 1.3850, -0.0055), (0.7925, 1.3825, -0.0235)] {
-        palm.add(0.006, f.cone([x - 0.0230, y + 0.0010, z], 0.0094, [x - 0.0052, y + 0.0000, z], 0.0050));
+    for (x, y, z) in [(0.7865, 1.3885, 0.0145), (0.7830, 1.3885, -0.0055), (0.7765, 1.3865, -0.0235)] {
+        palm.add(
+            0.006,
+            f.strand(&[
+                [x - 0.0080, y - 0.0030, z, 0.0084],
+                [x + 0.0040, y - 0.0052, z, 0.0060],
+                [x + 0.0135, y - 0.0072, z, 0.0040],
+            ]),
+        );
     }
 }
 
@@ -204,7 +212,7 @@ pub fn finger(skeleton: &Skeleton, number: usize) -> Part {
     let g = figure_scale(skeleton);
     let line = Line::new(skeleton, number);
     let w = line.width;
-    let mut part = Part::new(Region::Finger(number as u8), if thumb { 0.014 } else { 0.006 });
+    let mut part = Part::new(Region::Finger(number as u8), if thumb { 0.014 } else { 0.010 });
     let table: &[(usize, f64, [f64; 3])] = if thumb { &THUMB } else { &FINGER };
     let rows: Vec<(f64, Section)> = table
         .iter()

@@ -117,7 +117,7 @@ impl<'a> Weigher<'a> {
         let to_border = 0.5 * (aside(second) - aside(first)) / self.scale;
         let d = self.from(FINGERS[first][0], p);
         // The web follows half way.
-        let beside = 0.45 + 0.55 * ease(0.0, 0.005, to_border);
+        let beside = 0.62 + 0.38 * ease(0.0, 0.005, to_border);
         let free = ease(0.014, 0.024, d.x);
         // Down the thumb's side nothing follows the index finger.
         let level = ease(-0.028, -0.015, d.y) * ease(0.0165, 0.0095, aside(first) / self.scale);
