@@ -50,9 +50,9 @@ pub fn part(skeleton: &Skeleton, physique: &Physique) -> Part {
 fn trunk(f: &Fit) -> Shape {
     // Height: back and front edge, half width, squareness.
     let rows = [
-        (0.805, -0.052, 0.050, 0.045, 0.0),
-        (0.835, -0.070, 0.068, 0.094, 0.1),
-        (0.870, -0.078, 0.080, 0.134, 0.2),
+        (0.816, -0.050, 0.050, 0.045, 0.0),
+        (0.842, -0.068, 0.068, 0.094, 0.1),
+        (0.873, -0.077, 0.080, 0.134, 0.2),
         (0.910, -0.083, 0.087, 0.153, 0.25),
         (0.950, -0.084, 0.091, 0.1555, 0.3),
         (0.990, -0.077, 0.0925, 0.149, 0.3),
@@ -84,7 +84,7 @@ fn trunk(f: &Fit) -> Shape {
 /// The seat: large muscle, its fold below, the cleft.
 fn seat(f: &Fit, torso: &mut Part) {
     torso
-        .add(0.06, f.egg([0.078, 0.897, -0.051], [0.086, 0.072, 0.062], [0.26, 1.0, 0.12], [1.0, 0.0, 0.35]));
+        .add(0.06, f.egg([0.078, 0.901, -0.051], [0.080, 0.072, 0.062], [0.26, 1.0, 0.12], [1.0, 0.0, 0.35]));
     torso.meeting(0.010);
     // The middle muscle of the hip, under the crest.
     torso
