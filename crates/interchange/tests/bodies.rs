@@ -40,14 +40,20 @@ fn heights(mesh: &Mesh) -> (f64, f64) {
 /// Chin to crown, metres, as a caliper finds it: down the middle of the face from the tip of the nose until the skin
 /// turns back under the chin.
 fn head_height(mesh: &Mesh) -> f64 {
-    let (low, crown) = heights(mesh);
-    let middle: Vec<[f32; 3]> = mesh.positions.iter().copied().filter(|p| p[0].abs() < 0.004).collect();
-    // From the crown down to a third of the stature there is nothing in front of the nose.
-    let nose = middle.iter().filter(|p| f64::from(p[1]) > low + 0.8 * (crown - low)).map(|p| p[2]);
-    let tip = nose.fold(f32::MIN, f32::max);
-    let face = |p: &&[f32; 3]| f64::from(p[1]) > low + 0.75 * (crown - low) && p[2] > 0.62 * tip;
-    let chin = middle.iter().filter(face).map(|p| p[1]).fold(f32::MAX, f32::min);
-    crown - f64::from(chin)
+    let (_, crown) = heights(mesh);
+    let middle: Vec<[f64; 3]> =
+        mesh.positions.iter().map(|p| p.map(f64::from)).filter(|p| p[0].abs() < 0.006).collect();
+    let above = |part: f64| middle.iter().filter(move |p| p[1] > part * crown);
+    let Some(tip) = above(0.8).max_by(|a, b| a[2].total_cmp(&b[2])) else { return 0.0 };
+    let face = |p: &[f64; 3]| p[2] > 0.62 * tip[2];
+    let mut chin = tip[1];
+    // A gap of 12 mm without skin in front is the way from the chin to the chest.
+    while let Some(next) =
+        middle.iter().filter(|p| face(p) && p[1] < chin && p[1] > chin - 0.012).map(|p| p[1]).reduce(f64::min)
+    {
+        chin = next;
+    }
+    crown - chin
 }
 
 fn length(figure: &Figure, from: Bone, to: Bone) -> f64 {

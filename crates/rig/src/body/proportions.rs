@@ -12,6 +12,8 @@ const HEAD_BY_STATURE: f64 = 0.130;
 
 /// The chin lies before this part of the way from the head's joint to the tip of the nose.
 const CHIN_FRONT: f32 = 0.62;
+/// How far above its lowest point the chin reaches, of the way to the crown.
+const CHIN_REACH: f32 = 0.06;
 
 /// A point of the body and what moves it.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +39,12 @@ impl Mark {
 }
 
 /// The points between which a figure is measured.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Marks {
     sole: Mark,
     crown: Mark,
-    chin: Mark,
+    /// What may be the chin's lowest point in one body or another.
+    chin: Vec<Mark>,
 }
 
 impl Marks {
@@ -50,9 +53,8 @@ impl Marks {
     pub fn new(skeleton: &Skeleton, skin: Option<&Mesh>) -> Option<Marks> {
         let measured = skin.and_then(|mesh| Marks::of_skin(skeleton, mesh));
         let marks = measured.or_else(|| Marks::of_joints(skeleton))?;
-        let sound =
-            marks.crown.place.y - marks.chin.place.y > 1e-3 && marks.chin.place.y - marks.sole.place.y > 1e-3;
-        sound.then_some(marks)
+        let (sole, chin, crown) = (marks.sole.place.y, marks.chin(), marks.crown.place.y);
+        (crown - chin > 1e-3 && chin - sole > 1e-3).then_some(marks)
     }
 
     fn of_joints(skeleton: &Skeleton) -> Option<Marks> {
@@ -63,7 +65,7 @@ impl Marks {
         Some(Marks {
             sole: Mark::of_bone(foot, skeleton.rest_position(foot) * DVec3::new(1.0, 0.0, 1.0)),
             crown: Mark::of_bone(Bone::Head, at(stature)),
-            chin: Mark::of_bone(Bone::Head, at(stature * (1.0 - HEAD_BY_STATURE))),
+            chin: vec![Mark::of_bone(Bone::Head, at(stature * (1.0 - HEAD_BY_STATURE)))],
         })
     }
 
@@ -86,11 +88,15 @@ impl Marks {
         let joint = skeleton.rest_position(Bone::Head).z as f32;
         let foremost = head.iter().map(|v| mesh.positions[*v][2]).fold(joint, f32::max);
         let front = |v: &usize| mesh.positions[*v][2] > joint + CHIN_FRONT * (foremost - joint);
-        let chin = head.iter().copied().filter(front).min_by(lowest)?;
+        let face: Vec<usize> = head.iter().copied().filter(front).collect();
+        let chin = face.iter().map(height).reduce(f32::min)?;
+        let crown = all.clone().max_by(lowest)?;
+        let reach = chin + CHIN_REACH * (height(&crown) - chin);
+        let chin = face.into_iter().filter(|v| height(v) < reach);
         Some(Marks {
-            sole: Mark::of_vertex(mesh, all.clone().min_by(lowest)?),
-            crown: Mark::of_vertex(mesh, all.max_by(lowest)?),
-            chin: Mark::of_vertex(mesh, chin),
+            sole: Mark::of_vertex(mesh, all.min_by(lowest)?),
+            crown: Mark::of_vertex(mesh, crown),
+            chin: chin.map(|v| Mark::of_vertex(mesh, v)).collect(),
         })
     }
 
@@ -99,9 +105,14 @@ impl Marks {
         self.crown.place.y - self.sole.place.y
     }
 
+    /// The height of the chin's lowest point as it is.
+    fn chin(&self) -> f64 {
+        self.chin.iter().map(|mark| mark.place.y).fold(f64::INFINITY, f64::min)
+    }
+
     /// Stature over head height of the figure as it is.
     pub fn heads(&self) -> f64 {
-        self.stature() / (self.crown.place.y - self.chin.place.y)
+        self.stature() / (self.crown.place.y - self.chin())
     }
 
     /// How high the lowest point of the figure as it is stands above the ground, metres.
@@ -111,7 +122,8 @@ impl Marks {
 
     /// The same points after a warp.
     pub fn after(&self, warp: &Warp) -> Marks {
-        Marks { sole: self.sole.after(warp), crown: self.crown.after(warp), chin: self.chin.after(warp) }
+        let chin = self.chin.iter().map(|mark| mark.after(warp)).collect();
+        Marks { sole: self.sole.after(warp), crown: self.crown.after(warp), chin }
     }
 
     /// The factor of the head that gives a head count; by bisection, to rounding. It falls as the head grows.
