@@ -22,7 +22,7 @@ pub const FINGERS: [[Bone; 3]; 5] = [
 const TIP: [f64; 5] = [0.800, 0.774, 0.715, 0.730, 0.903];
 
 /// Half the width of each finger at its middle joint, metres.
-const WIDTH: [f64; 5] = [0.0110, 0.0094, 0.0093, 0.0084, 0.0077];
+const WIDTH: [f64; 5] = [0.0105, 0.0094, 0.0093, 0.0084, 0.0077];
 
 /// Sections of a long finger: the bone (0 to 2), how far along it, half width, height to the back, to the palm side;
 /// in half widths of the middle joint. Joints are wide, pads lie between them.
@@ -37,24 +37,24 @@ const FINGER: [(usize, f64, [f64; 3]); 13] = [
     (1, 0.50, [0.90, 0.77, 0.98]),
     (1, 0.82, [0.87, 0.76, 0.87]),
     (1, 1.00, [0.89, 0.78, 0.79]),
-    (2, 0.25, [0.85, 0.71, 0.82]),
-    (2, 0.55, [0.81, 0.63, 0.81]),
-    (2, 0.80, [0.70, 0.52, 0.69]),
+    (2, 0.25, [0.85, 0.71, 0.80]),
+    (2, 0.55, [0.81, 0.63, 0.77]),
+    (2, 0.80, [0.70, 0.52, 0.65]),
 ];
 
 /// Sections of the thumb, from within the ball of the thumb on.
 const THUMB: [(usize, f64, [f64; 3]); 11] = [
-    (0, 0.12, [0.80, 0.75, 1.00]),
-    (0, 0.50, [1.00, 0.88, 1.22]),
-    (0, 0.82, [1.04, 0.95, 1.17]),
+    (0, 0.12, [0.84, 0.79, 1.05]),
+    (0, 0.50, [1.05, 0.92, 1.28]),
+    (0, 0.82, [1.08, 0.99, 1.21]),
     (0, 1.00, [1.05, 1.02, 1.08]),
     (1, 0.30, [0.96, 0.87, 1.06]),
     (1, 0.70, [0.93, 0.84, 0.98]),
     (1, 1.00, [1.00, 0.93, 0.90]),
     (2, 0.22, [0.99, 0.85, 0.89]),
-    (2, 0.50, [0.98, 0.73, 0.87]),
-    (2, 0.70, [0.90, 0.63, 0.80]),
-    (2, 0.82, [0.80, 0.54, 0.69]),
+    (2, 0.50, [0.98, 0.73, 0.84]),
+    (2, 0.70, [0.90, 0.63, 0.77]),
+    (2, 0.82, [0.80, 0.54, 0.66]),
 ];
 
 /// The drawn places from the wrist to the knuckles.
@@ -118,7 +118,7 @@ fn pads(f: &Fit, palm: &mut Part) {
 /// The skin between the long fingers: from between the knuckles it slopes down to the palm's side and ends two fifths of
 /// the way to the middle joints.
 fn webs(f: &Fit, palm: &mut Part) {
-    for (x, y, z) in [(0.7865, 1.3885, 0.0145), (0.7830, 1.3885, -0.0055), (0.7765, 1.3865, -0.0235)] {
+    for (x, y, z) in [(0.7865, 1.3885, 0.0145), (0.7830, 1.3885, -0.0055), (0.7748, 1.3865, -0.0235)] {
         palm.add(
             0.006,
             f.strand(&[
