@@ -48,6 +48,9 @@ fn cheeks(f: &Fit, e: &Ends, part: &mut Part) {
     raise(part, 3.0 * e.male - 3.0 * e.female - 2.4 * e.child + 1.2 * e.muscle, f.strand(&angle));
     let chin = f.ball([0.0, 1.5080, 0.1040], [0.0360, 0.0290, 0.0270]);
     raise(part, 2.6 * e.male - 1.6 * e.female - 4.2 * e.child + 0.8 * e.old, chin);
+    // How far it hangs down: a child's is short.
+    let under = f.ball([0.0, 1.4950, 0.0880], [0.0380, 0.0260, 0.0340]);
+    raise(part, -3.5 * e.child - 1.2 * e.female, under);
     // Folds from the wings of the nose to the corners of the mouth, pouches under the eyes.
     let fold = [
         [0.0205, 1.5740, 0.1020, 0.0050],
@@ -86,7 +89,7 @@ fn throat(head: &Fit, f: &Fit, e: &Ends, part: &mut Part) {
     let larynx = f.ball([0.0, 1.4870, 0.0510], [0.0140, 0.0180, 0.0160]);
     raise(part, 3.4 * e.male - 2.2 * e.female - 2.6 * e.child + 1.0 * e.old - 1.5 * e.heavy, larynx);
     let side = [[0.0500, 1.5250, -0.0040, 0.0560], [0.0500, 1.4450, -0.0060, 0.0560]];
-    let girth = 3.6 * e.male - 3.8 * e.female + 3.4 * e.muscle + 4.5 * e.heavy - 2.0 * e.slender;
+    let girth = 3.6 * e.male - 2.8 * e.female + 3.4 * e.muscle + 4.5 * e.heavy - 2.0 * e.slender;
     raise(part, girth - 5.0 * e.child - 1.6 * e.old, f.strand(&side));
     let back = [[0.0, 1.5300, -0.0560, 0.0420], [0.0, 1.4500, -0.0600, 0.0420]];
     raise(part, 0.7 * girth - 3.5 * e.child, f.strand(&back));
