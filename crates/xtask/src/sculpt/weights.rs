@@ -64,7 +64,8 @@ impl<'a> Weigher<'a> {
         let d = self.from(Bone::LeftUpperArm, p);
         let closes = [(DVec3::NEG_Y, 1.35), (DVec3::Y, 1.5), (DVec3::Z, 2.1), (DVec3::NEG_Z, 1.5)];
         let bend = Bend { closes: &closes, least: 0.040, most: 0.084 };
-        // Beyond the joint below, so that the pit of a hanging arm lies low and shuts; the flank below turns not at all.
+        // Below, the border lies farther out than on top, so that the pit of a hanging arm lies low and shuts; the flank
+        // below it turns not at all.
         let middle = mix(0.0, -0.010, ease(-0.05, 0.05, d.y));
         bend.share(d, d.x - middle) * ease(-0.125, -0.047, d.y + 0.5 * d.x.max(0.0))
     }
