@@ -17,7 +17,7 @@ const STEPS: usize = 2;
 /// How much a limb's middle may swell or shrink.
 const VOLUME: f64 = 0.08;
 /// The same for a thigh: where legs spread wide, the skin between them stays behind. To be brought to the former.
-const THIGH_VOLUME: f64 = 0.60;
+const THIGH_VOLUME: f64 = 0.52;
 /// How far parts may part that touch at rest, metres.
 const GAP_M: f32 = 0.001;
 const REST: [Angles; Bone::COUNT] = [Angles::REST; Bone::COUNT];
@@ -150,6 +150,8 @@ fn limbs_keep_their_volume() {
         (Bone::LeftLowerArm, Bone::LeftHand, 0.15, VOLUME),
         // Above this the thighs are not apart.
         (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.28, THIGH_VOLUME),
+        // Below this no skin of the groin is left.
+        (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.45, VOLUME),
         (Bone::LeftLowerLeg, Bone::LeftFoot, 0.15, VOLUME),
     ] {
         let slice = Slice::new(skin(), skeleton, (bone, next), start);

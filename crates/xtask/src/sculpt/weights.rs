@@ -157,7 +157,7 @@ impl<'a> Weigher<'a> {
         let inward = 0.12 * ramp((-d.x - 0.036) / 0.066);
         let bend = Bend { closes: &closes, least: 0.080 + 0.45 * inward, most: 0.130 + 0.25 * inward };
         let lower = inward + 0.25 * (-d.z).max(0.0) - 0.2 * d.x.max(0.0);
-        let crotch = mix(1.0, ease(0.004, 0.050, p.x / self.scale), ease(-0.170, -0.100, d.y));
+        let crotch = mix(1.0, ease(0.004, 0.032, p.x / self.scale), ease(-0.170, -0.100, d.y));
         bend.share(d, -d.y - lower) * crotch
     }
 
