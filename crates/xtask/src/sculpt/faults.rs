@@ -1,13 +1,17 @@
 //! What a pose did to a skin: triangles turned inside out.
 
 use glam::Vec3;
-use rig::{Mesh, PALETTE_LEN, Palette, skin_normals, skin_positions};
+use rig::Mesh;
+#[cfg(test)]
+use rig::{PALETTE_LEN, Palette, skin_normals, skin_positions};
 
 /// A triangle with less area than this has no side worth speaking of, square metres.
+#[cfg(test)]
 pub const TINY_M2: f32 = 1e-7;
 
 /// The triangles whose area, as seen along their skinned normals, is at most `left` of that at rest; places in
 /// `mesh.indices` over three. With 0 these are the inverted ones.
+#[cfg(test)]
 pub fn squeezed(mesh: &Mesh, palette: &Palette, left: f32) -> Vec<usize> {
     let touched = Touched::new(mesh, palette);
     let places = skin_positions(&touched.mesh, palette);
@@ -43,12 +47,14 @@ pub fn askew(mesh: &Mesh) -> Vec<usize> {
 }
 
 /// The triangles that a pose moves at all, numbered anew.
+#[cfg(test)]
 struct Touched {
     mesh: Mesh,
     /// Where each was.
     triangles: Vec<usize>,
 }
 
+#[cfg(test)]
 impl Touched {
     fn new(mesh: &Mesh, palette: &Palette) -> Touched {
         let moved: [bool; PALETTE_LEN] = std::array::from_fn(|i| palette.0[i] != Palette::REST.0[i]);

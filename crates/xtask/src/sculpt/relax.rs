@@ -32,6 +32,9 @@ const SMOOTH: f64 = 0.05;
 /// How much a share may change in one round.
 const CHANGE: f64 = 0.12;
 
+/// How often shares are evened out between two fingers.
+const WEB: usize = 4;
+
 /// What mending could not mend.
 #[derive(Clone, Debug, Default)]
 pub struct Remains {
@@ -62,6 +65,11 @@ pub fn relax(
 ) -> anyhow::Result<Remains> {
     let mut rings = Rings::new(half);
     rings.settle_fingers(shares);
+    // Where the skin passes from one finger to the next it follows the hand the more.
+    for _ in 0..WEB {
+        let web: Vec<bool> = shares.iter().enumerate().map(|(v, s)| rings.is_between_fingers(v, s)).collect();
+        rings.even(shares, |v| if web[v] { 0.5 } else { 0.0 });
+    }
     let held = middles(half, skeleton, shares);
     let mut mesh = bare(half, normals);
     let pinches = Pinches::new(half, normals, &mesh, skeleton);

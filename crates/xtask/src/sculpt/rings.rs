@@ -62,6 +62,12 @@ impl Rings {
         self.fingers = fingers;
     }
 
+    /// Whether a vertex that follows a finger has a neighbour that may follow none but another one.
+    pub fn is_between_fingers(&self, v: usize, shares: &Shares) -> bool {
+        let other = |w: &u32| self.fingers[*w as usize] != self.fingers[v];
+        finger_shares(shares).iter().any(|share| *share > 0.0) && self.neighbours[v].iter().any(other)
+    }
+
     /// Whether a vertex may follow a bone: in the middle none of a side, of fingers but the settled one.
     pub fn may_follow(&self, v: usize, bone: Bone) -> bool {
         let finger = FINGERS.iter().position(|finger| finger.contains(&bone));

@@ -107,13 +107,9 @@ impl<'a> Weigher<'a> {
     /// The one long finger that may move a point of the hand, and how much.
     fn finger_share(&self, p: DVec3, distances: &[f64; 5]) -> (usize, f64) {
         let aside = |f: usize| (p.z - self.at(FINGERS[f][0]).z).abs();
-        // Beyond the web fingers lie so near each other that one bulges past the middle between both.
-        let far = |f: usize| {
-            let beyond = ease(0.012, 0.020, self.from(FINGERS[f][0], p).x);
-            mix(aside(f) / self.scale, distances[f], beyond)
-        };
+        // Fingers lie so near each other that one bulges past the middle between both joints.
         let mut order = [1, 2, 3, 4];
-        order.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
+        order.sort_by(|a, b| distances[*a].total_cmp(&distances[*b]));
         let [first, second, ..] = order;
         let to_border = 0.5 * (aside(second) - aside(first)) / self.scale;
         let d = self.from(FINGERS[first][0], p);
