@@ -95,7 +95,7 @@ pub fn relax(
         }
         let again = round % AGAIN == AGAIN - 2 || turned.is_empty();
         open = if again { (0..trials.len()).collect() } else { with_pinches(&found) };
-        let rows = rows(&pinches, &mesh, &trials, worst(found), &rings, shares);
+        let rows = rows(&pinches, &mesh, &trials, &worst(found), &rings, shares);
         let change = least_change(&rows, &rings, &held, SMOOTH);
         apply(&rings, change, shares);
     }
@@ -135,7 +135,7 @@ fn rows(
     pinches: &Pinches<'_>,
     mesh: &Mesh,
     trials: &[Trial],
-    found: Vec<Pinch>,
+    found: &[Pinch],
     rings: &Rings,
     shares: &[Shares],
 ) -> Vec<Row> {
