@@ -35,6 +35,7 @@ pub use act::{knows, words};
 use driving::Driving;
 use panel::ChainPanel;
 pub use picture::ChainPicture;
+use picture::Shown;
 
 /// The left panel's rows need as much, points.
 const PANEL_LEAST: f32 = 340.0;
@@ -246,13 +247,16 @@ impl ChainSession {
         self.picture.finish = self.settings.finish;
         self.picture.preset = self.settings.navigation;
         let hovered = self.picture.hovered();
-        let how = self.panel.reaching();
-        let (picture, editor, node) = (&mut self.picture, &self.editor, self.node);
-        let (software, keymap) = (self.software, &self.keymap);
-        let driven = self.driving.is_under_way();
-        let asked = egui::CentralPanel::no_frame()
-            .show(ui, |ui| picture.show(ui, editor, node, how, keymap, software, driven))
-            .inner;
+        let shown = Shown {
+            editor: &self.editor,
+            node: self.node,
+            how: self.panel.reaching(),
+            keymap: &self.keymap,
+            slow: self.software,
+            driven: self.driving.is_under_way(),
+        };
+        let picture = &mut self.picture;
+        let asked = egui::CentralPanel::no_frame().show(ui, |ui| picture.show(ui, &shown)).inner;
         if let Some(node) = asked.chosen {
             self.choose(node);
             ui.ctx().request_repaint();

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use edit::{ChainEditor, ChainHandle, ChainNode, ChainShape, ChainSpot, ChainTrack, Circle};
 use egui::Color32;
+use glam::Vec2;
 use render::{Color, Layer};
 use rig::DofPart;
 
@@ -16,12 +17,14 @@ const X: Color32 = Color32::from_rgb(242, 98, 88);
 const Y: Color32 = Color32::from_rgb(138, 208, 98);
 const Z: Color32 = Color32::from_rgb(94, 160, 252);
 const BARE: Color = [205, 206, 210, 255];
-/// As many joints are marked; more would hide the chain.
-const MOST_JOINTS: usize = 120;
+/// Links that are thinner in the picture are drawn as lines.
+const THIN_PX: f64 = 2.0;
+/// Joints that are nearer to the one marked before are not marked: they would hide the chain.
+const APART_PX: f32 = 9.0;
 
 /// Draws the marks.
 pub fn draw(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor, node: ChainNode) {
-    bare_links(drawing, picture, editor);
+    thin_links(drawing, picture, editor);
     joints(drawing, editor, node);
     let held = match picture.under() {
         ChainSpot::Handle(handle) => Some(handle.slot),
@@ -36,23 +39,29 @@ pub fn draw(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor,
     }
 }
 
-fn bare_links(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor) {
+/// Links of which nothing is seen, or hardly anything from so far away, are lines.
+fn thin_links(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor) {
     let pen = Pen { layer: Layer::Ghosted, ..Pen::new(BARE, 2.5) };
-    for (link, frame) in editor.frames().iter().enumerate().filter(|(link, _)| !picture.picker.shows(*link)) {
-        let tip = editor.robot().tip(link);
-        if tip.length_squared() > 0.0 {
+    for (link, frame) in editor.frames().iter().enumerate() {
+        let (tip, metres) = (editor.robot().tip(link), drawing.sight.metres_per_px(frame.position));
+        if tip.length_squared() > 0.0 && picture.picker.thickness(link) < THIN_PX * metres {
             drawing.line(frame.position, frame.point(tip), pen);
         }
     }
 }
 
+/// Joints that lie apart from each other are marked, and the chosen one.
 fn joints(drawing: &mut Drawing, editor: &ChainEditor, node: ChainNode) {
     let robot = editor.robot();
-    let moving = (0..robot.joints().len()).filter(|joint| !robot.slot(*joint).is_empty());
     let chosen = node.joint(robot);
-    for joint in moving.take(MOST_JOINTS).filter(|joint| chosen != Some(*joint)) {
-        let Some(frame) = editor.frames().get(joint + 1) else { continue };
-        drawing.disc(frame.position, 3.0, [236, 236, 238, 190], Layer::OnTop);
+    let mut former: Option<Vec2> = None;
+    for joint in (0..robot.joints().len()).filter(|joint| !robot.slot(*joint).is_empty()) {
+        let Some(frame) = editor.frames().get(joint + 1).filter(|_| chosen != Some(joint)) else { continue };
+        let Some(at) = drawing.sight.pixel_of(frame.position) else { continue };
+        if former.is_none_or(|former| former.distance(at) > APART_PX) {
+            drawing.disc(frame.position, 3.0, [236, 236, 238, 190], Layer::OnTop);
+            former = Some(at);
+        }
     }
     if let Some(frame) = chosen.and_then(|joint| editor.frames().get(joint + 1)) {
         drawing.disc(frame.position, 4.5, rgba(theme::ACCENT, 255), Layer::OnTop);

@@ -55,6 +55,23 @@ pub struct ChainPicture {
     hinted: Option<usize>,
 }
 
+/// What the picture shows, and what it only reads of the window.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// The chain.
+    pub editor: &'a ChainEditor,
+    /// What is chosen.
+    pub node: ChainNode,
+    /// How a dragged link reaches.
+    pub how: Reaching,
+    /// Which keys count while something is held.
+    pub keymap: &'a Keymap,
+    /// Whether the processor draws.
+    pub slow: bool,
+    /// Whether keys move the chain.
+    pub driven: bool,
+}
+
 /// What the picture asks for.
 #[derive(Clone, Default, Debug)]
 pub struct Asked {
@@ -93,18 +110,9 @@ impl ChainPicture {
         picture
     }
 
-    /// Shows the picture in what is left of the window; `slow` if the processor draws, `driven` while keys move the chain.
-    #[allow(clippy::too_many_arguments)] // each is a thing of the session that the picture only reads
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        editor: &ChainEditor,
-        node: ChainNode,
-        how: Reaching,
-        keymap: &Keymap,
-        slow: bool,
-        driven: bool,
-    ) -> Asked {
+    /// Shows the picture in what is left of the window.
+    pub fn show(&mut self, ui: &mut Ui, shown: &Shown) -> Asked {
+        let Shown { editor, node, .. } = *shown;
         let (id, rect) = (egui::Id::unique("chain picture"), ui.available_rect_before_wrap());
         ui.allocate_rect(rect, Sense::hover());
         self.rect = rect;
@@ -114,8 +122,8 @@ impl ChainPicture {
         }
         let response = ui.interact(rect, id, Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Chain"));
-        let asked = self.point(ui, &response, editor, node, how, keymap);
-        let quality = self.quality(ui, editor, slow, driven);
+        let asked = self.point(ui, &response, shown);
+        let quality = self.quality(ui, shown);
         self.paint(ui, editor, node, quality);
         brackets::paint(ui, self, editor, node);
         match axis_ball::show(ui, rect, &self.camera) {
@@ -287,18 +295,15 @@ impl ChainPicture {
         Sight { camera: self.camera, size_px: Vec2::new(self.rect.width(), self.rect.height()) }
     }
 
-    pub(super) fn stage<'a>(
-        &'a self,
-        editor: &'a ChainEditor,
-        node: ChainNode,
-        how: Reaching,
-    ) -> ChainStage<'a> {
+    pub(super) fn stage<'a>(&'a self, shown: &Shown<'a>) -> ChainStage<'a> {
+        let Shown { editor, node, how, .. } = *shown;
         let sight = self.sight();
         ChainStage { editor, picker: &self.picker, sight, node, solver: how.solver, root: how.root }
     }
 
     /// How well to draw now; asks for the picture in full once movement has come to rest.
-    fn quality(&mut self, ui: &Ui, editor: &ChainEditor, slow: bool, driven: bool) -> Quality {
+    fn quality(&mut self, ui: &Ui, shown: &Shown) -> Quality {
+        let Shown { editor, slow, driven, .. } = *shown;
         if self.slow != slow {
             self.slow = slow;
             self.pace = if slow { Pace::slow() } else { Pace::default() };

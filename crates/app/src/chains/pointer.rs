@@ -1,26 +1,17 @@
 //! Egui's input in the words of the hands and the navigator.
 
-use edit::{ChainEditor, ChainNode, ChainSpot, Modifiers, ViewEvent};
+use edit::{ChainSpot, Modifiers, ViewEvent};
 use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 use glam::Vec2;
 
-use super::panel::Reaching;
-use super::picture::{Asked, ChainPicture};
-use crate::keymap::{Keymap, Pressed};
+use super::picture::{Asked, ChainPicture, Shown};
+use crate::keymap::Pressed;
 use crate::viewport::navigation::{self, WHEEL_REST_SECS};
 use crate::viewport::pointer::constraint;
 
 impl ChainPicture {
     /// Passes on what pointer and keys did in this frame.
-    pub(super) fn point(
-        &mut self,
-        ui: &Ui,
-        response: &Response,
-        editor: &ChainEditor,
-        node: ChainNode,
-        how: Reaching,
-        keymap: &Keymap,
-    ) -> Asked {
+    pub(super) fn point(&mut self, ui: &Ui, response: &Response, shown: &Shown) -> Asked {
         // A dragged point is where the pointer is only as long as the camera stays.
         if let Some(sight) = self.hands.sight() {
             self.camera = sight.camera;
@@ -32,13 +23,13 @@ impl ChainPicture {
             || response.drag_stopped()
             || (response.contains_pointer() && !ui.input(|i| i.pointer.any_down()));
         for event in ui.input(|i| i.events.clone()) {
-            self.event(ui, &event, ours, (editor, node, how), keymap, &mut asked);
+            self.event(ui, &event, ours, shown, &mut asked);
         }
         self.look_around(ui, response);
         if !self.hands.holds() {
             let seen = response.hover_pos().filter(|_| self.navigator.motion().is_none());
             let at = seen.map(|at| self.inside(at));
-            self.with_hands((editor, node, how), |hands, stage| hands.hover(stage, at));
+            self.with_hands(shown, |hands, stage| hands.hover(stage, at));
         }
         self.show_cursor(ui);
         if told != (self.hands.under(), self.hands.is_dragging()) {
@@ -48,26 +39,18 @@ impl ChainPicture {
         asked
     }
 
-    fn event(
-        &mut self,
-        ui: &Ui,
-        event: &Event,
-        ours: bool,
-        on: (&ChainEditor, ChainNode, Reaching),
-        keymap: &Keymap,
-        asked: &mut Asked,
-    ) {
+    fn event(&mut self, ui: &Ui, event: &Event, ours: bool, shown: &Shown, asked: &mut Asked) {
         match event {
-            Event::PointerMoved(at) if self.hands.holds() => self.drag(ui, *at, on, asked),
+            Event::PointerMoved(at) if self.hands.holds() => self.drag(ui, *at, shown, asked),
             Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, .. } if ours => {
                 let at = self.inside(*pos);
-                let taken = self.with_hands(on, |hands, stage| hands.press(stage, at));
+                let taken = self.with_hands(shown, |hands, stage| hands.press(stage, at));
                 if self.take_view(ui, PointerButton::Primary, at, taken) && taken {
                     self.hands.let_go();
                 }
             }
             Event::PointerButton { button: PointerButton::Primary, pressed: false, .. } => {
-                let chosen = self.with_hands(on, |hands, stage| hands.release(stage));
+                let chosen = self.with_hands(shown, |hands, stage| hands.release(stage));
                 asked.chosen = chosen.or(asked.chosen);
             }
             Event::PointerButton { button: PointerButton::Secondary, pressed: true, .. }
@@ -83,11 +66,11 @@ impl ChainPicture {
             }
             event if self.hands.holds() && !ui.ctx().text_edit_focused() => {
                 let pressed = Pressed::of(event).filter(|pressed| !pressed.repeat);
-                let action = pressed.and_then(|pressed| keymap.action(pressed.chord, true));
+                let action = pressed.and_then(|pressed| shown.keymap.action(pressed.chord, true));
                 if let Some(held) = action.and_then(constraint) {
                     self.hands.constrain(held);
                     if let Some(at) = ui.input(|i| i.pointer.latest_pos()) {
-                        self.drag(ui, at, on, asked);
+                        self.drag(ui, at, shown, asked);
                     }
                 }
             }
@@ -95,11 +78,11 @@ impl ChainPicture {
         }
     }
 
-    fn drag(&mut self, ui: &Ui, at: Pos2, on: (&ChainEditor, ChainNode, Reaching), asked: &mut Asked) {
+    fn drag(&mut self, ui: &Ui, at: Pos2, shown: &Shown, asked: &mut Asked) {
         let at = self.inside(at);
         let held = ui.input(|i| i.modifiers);
         let modifiers = Modifiers { slow: held.shift, snap: held.command, in_contact: false };
-        if let Some(request) = self.with_hands(on, |hands, stage| hands.drag(stage, at, modifiers)) {
+        if let Some(request) = self.with_hands(shown, |hands, stage| hands.drag(stage, at, modifiers)) {
             // Of moves that follow each other the last counts: each starts from the first state.
             asked.requests.retain(|request| !matches!(request, edit::ChainRequest::Preview(_)));
             asked.requests.push(request);
@@ -109,11 +92,11 @@ impl ChainPicture {
     /// Lets the hands act on the stage, of which they are no part.
     fn with_hands<T>(
         &mut self,
-        (editor, node, how): (&ChainEditor, ChainNode, Reaching),
+        shown: &Shown,
         act: impl FnOnce(&mut edit::ChainHands, &edit::ChainStage) -> T,
     ) -> T {
         let mut hands = std::mem::take(&mut self.hands);
-        let result = act(&mut hands, &self.stage(editor, node, how));
+        let result = act(&mut hands, &self.stage(shown));
         self.hands = hands;
         result
     }

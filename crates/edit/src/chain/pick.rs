@@ -58,6 +58,12 @@ impl LinkPicker {
         self.links.get(link).is_some_and(|shape| !shape.triangles.is_empty())
     }
 
+    /// The least edge of the box around what is seen of a link in its frame, metres; 0 where nothing is.
+    pub fn thickness(&self, link: usize) -> f64 {
+        let shape = self.links.get(link).filter(|shape| !shape.bounds.is_empty());
+        shape.map_or(0.0, |shape| f64::from((shape.bounds.max - shape.bounds.min).min_element()))
+    }
+
     /// The corners of what is seen of a link that lie farthest out, in its frame, metres.
     pub fn outermost(&self, link: usize) -> impl Iterator<Item = DVec3> + '_ {
         let corners = self.links.get(link).into_iter().flat_map(|shape| &shape.outermost);
