@@ -8,6 +8,7 @@ mod brackets;
 mod driving;
 mod editing;
 mod files;
+mod guides;
 mod joints;
 mod keys;
 mod marks;
@@ -251,6 +252,8 @@ impl ChainSession {
             editor: &self.editor,
             node: self.node,
             how: self.panel.reaching(),
+            guides: self.panel.guides(),
+            reach: self.reach.as_ref(),
             keymap: &self.keymap,
             slow: self.software,
             driven: self.driving.is_under_way(),

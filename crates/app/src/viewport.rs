@@ -8,7 +8,7 @@ pub mod backdrop;
 pub mod balance;
 pub mod drawing;
 mod framed;
-mod guides;
+pub mod guides;
 mod handles;
 mod marks;
 pub mod navigation;

@@ -10,6 +10,7 @@ mod node;
 mod pick;
 mod report;
 mod script;
+mod span;
 
 pub use command::{ChainCommand, ChainGoal, ChainPart, ChainRoot, ChainSolver};
 pub use document::{ChainDocument, ChainOutcome, ChainReach};
@@ -20,3 +21,4 @@ pub use node::ChainNode;
 pub use pick::{LinkHit, LinkPicker};
 pub use report::{ChainJointReport, ChainLinkReport, ChainReport, ReachReport};
 pub use script::{ChainScript, chain_of_script, parse_chain_script, run_chain_script};
+pub use span::{ChainSpan, chain_span};

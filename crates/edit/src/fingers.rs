@@ -1,7 +1,7 @@
 //! Curl and spread of fingers: read off the pose, and written as turns of its joints.
 //!
 //! A finger's curl is how far its joints are on the way from straight (0) to the figure's fist (1), weighed by how far each
-//! goes. Setting it moves all joints on along that way, each until it is there; how they differ is kept as long as
+//! goes; how far fingers are apart is their spread and none of it. Setting it moves all joints on along that way, each until it is there; how they differ is kept as long as
 //! none has arrived.
 
 use rig::{Bone, Dof, Figure, Locks, Pose, Side};

@@ -34,7 +34,8 @@ pub fn draw(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor,
     for handle in edit::chain_handles(editor, node, &drawing.sight.clone()) {
         let hot = held == Some(handle.slot);
         if !picture.is_dragging() || hot {
-            draw_handle(drawing, &handle, hot);
+            let main = node == ChainNode::Value(handle.slot);
+            draw_handle(drawing, &handle, [hot, main]);
         }
     }
 }
@@ -69,7 +70,7 @@ fn joints(drawing: &mut Drawing, editor: &ChainEditor, node: ChainNode) {
 }
 
 /// The colour of a part's handle.
-fn color(part: DofPart) -> Color32 {
+pub fn color(part: DofPart) -> Color32 {
     match part {
         DofPart::X | DofPart::Roll => X,
         DofPart::Y | DofPart::Pitch => Y,
@@ -78,8 +79,10 @@ fn color(part: DofPart) -> Color32 {
     }
 }
 
-fn draw_handle(drawing: &mut Drawing, handle: &ChainHandle, hot: bool) {
-    let color = color(handle.part);
+/// Of a joint with several ways to move, the chosen one is drawn strongest.
+fn draw_handle(drawing: &mut Drawing, handle: &ChainHandle, [hot, main]: [bool; 2]) {
+    let full = color(handle.part);
+    let color = if hot || main { full } else { full.lerp_to_gamma(Color32::from_gray(120), 0.45) };
     match handle.shape {
         ChainShape::Ring(circle) => ring(drawing, &circle, handle.range, color, hot),
         ChainShape::Track(track) => self::track(drawing, &track, handle.range, color, hot),

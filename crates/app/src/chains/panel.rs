@@ -3,6 +3,7 @@
 use edit::{ChainEditor, ChainNode, ChainReach, ChainRequest};
 use egui::{Align2, Button, FontId, RichText, TextEdit, Ui, pos2, vec2};
 
+use super::guides::ChainGuides;
 use super::{editing, joints, reaching};
 use crate::rail::Change;
 use crate::theme;
@@ -17,6 +18,7 @@ pub struct ChainPanel {
     /// The name of the next link.
     new_name: String,
     reaching: Reaching,
+    guides: ChainGuides,
     /// Whether the chosen row is to come into view.
     reveal: bool,
 }
@@ -55,6 +57,11 @@ impl ChainPanel {
         self.reaching
     }
 
+    /// What the picture shows of what the chosen line of links reaches.
+    pub fn guides(&self) -> ChainGuides {
+        self.guides
+    }
+
     /// Brings the row of what is chosen into view.
     pub fn reveal(&mut self) {
         self.reveal = true;
@@ -76,7 +83,10 @@ impl ChainPanel {
             |ui| {
                 ui.add_space(4.0);
                 heading(ui, "Reach", None);
-                inset(ui, |ui| sheet.reaching(ui, &mut self.reaching));
+                inset(ui, |ui| {
+                    sheet.reaching(ui, &mut self.reaching);
+                self.guides.show(ui);
+            });
                 heading(ui, "Edit", None);
                 inset(ui, |ui| sheet.editing(ui, &mut self.new_name));
             },

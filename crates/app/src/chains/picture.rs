@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use edit::{
-    ChainEditor, ChainHands, ChainNode, ChainRequest, ChainSpot, ChainStage, LinkPicker, Navigator, Preset,
+    ChainEditor, ChainHands, ChainNode, ChainReach, ChainRequest, ChainSpot, ChainStage, LinkPicker, Navigator, Preset,
     Sight,
 };
 use egui::{Pos2, Rect, Sense, Ui};
@@ -11,6 +11,7 @@ use glam::{DVec3, Vec2, Vec3};
 use render::Look;
 use rig::{Bone, Bounds, Camera, Projection, Robot, RobotSkin, View};
 
+use super::guides::ChainGuides;
 use super::panel::Reaching;
 use super::{brackets, marks};
 use crate::finish::Finish;
@@ -64,6 +65,10 @@ pub struct Shown<'a> {
     pub node: ChainNode,
     /// How a dragged link reaches.
     pub how: Reaching,
+    /// What is shown of what the chosen line of links reaches.
+    pub guides: ChainGuides,
+    /// How the last reach went.
+    pub reach: Option<&'a ChainReach>,
     /// Which keys count while something is held.
     pub keymap: &'a Keymap,
     /// Whether the processor draws.
@@ -124,7 +129,7 @@ impl ChainPicture {
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Chain"));
         let asked = self.point(ui, &response, shown);
         let quality = self.quality(ui, shown);
-        self.paint(ui, editor, node, quality);
+        self.paint(ui, shown, quality);
         brackets::paint(ui, self, editor, node);
         match axis_ball::show(ui, rect, &self.camera) {
             Some(BallTurn::Orbit(yaw_rad, pitch_rad)) => self.camera.orbit(yaw_rad, pitch_rad),
@@ -319,10 +324,12 @@ impl ChainPicture {
         quality
     }
 
-    fn paint(&self, ui: &Ui, editor: &ChainEditor, node: ChainNode, quality: Quality) {
+    fn paint(&self, ui: &Ui, shown: &Shown, quality: Quality) {
+        let Shown { editor, node, guides, reach, .. } = *shown;
         let scale = ui.ctx().pixels_per_point();
         let mut drawing = Drawing::new(self.sight(), scale);
         marks::draw(&mut drawing, self, editor, node);
+        guides.draw(&mut drawing, editor, node, reach);
         let Drawing { overlay, words, sight, .. } = drawing;
         let chosen = self.rigid(editor, node);
         let chosen = if node == ChainNode::Root { &[][..] } else { &chosen[..] };

@@ -121,12 +121,13 @@ pub fn draw(drawing: &mut Drawing, editor: &Editor, guides: &Guides) {
             continue;
         };
         let of = Of { editor, limb, limits, side: theme::side(limb.side()) };
+        let root = limits.root_in_world;
         for guide in Guide::ALL.into_iter().filter(|guide| guides.has(limb, *guide)) {
             match guide {
-                Guide::Cursor => of.cursor(drawing),
-                Guide::Pointer => of.pointer(drawing),
-                Guide::Outer => of.limit(drawing, limits.outer_m, of.side, "outer limit"),
-                Guide::Inner => of.limit(drawing, limits.inner_m, theme::ACCENT, "inner limit"),
+                Guide::Cursor => cursor(drawing, of.target()),
+                Guide::Pointer => pointer(drawing, [root, of.target()], limits.outer_m, of.side),
+                Guide::Outer => limit(drawing, root, limits.outer_m, of.side, "outer limit"),
+                Guide::Inner => limit(drawing, root, limits.inner_m, theme::ACCENT, "inner limit"),
                 Guide::Elevation => of.elevation(drawing),
                 Guide::Planes => of.planes(drawing),
                 Guide::Axes => of.axes(drawing),
@@ -148,47 +149,6 @@ impl Of<'_> {
         self.editor.evaluation().limbs[self.limb.index()].target
     }
 
-    /// Arms along the world's axes, and how high it is over the ground.
-    fn cursor(&self, drawing: &mut Drawing) {
-        let target = self.target();
-        let arm = 26.0 * drawing.sight.metres_per_px(target);
-        for along in Axis::ALL {
-            let pen = Pen::new(axis_color(along), 1.75);
-            drawing.line(target - along.vector() * arm, target + along.vector() * arm, pen);
-        }
-        let ground = DVec3 { y: 0.0, ..target };
-        let pen = Pen::new([226, 228, 234, 120], 1.25);
-        drawing.line(target, ground, pen.dashed(6.0).ghosted());
-        for radius in [0.015, 0.045] {
-            drawing.ring(ground, DVec3::Y, radius, pen.ghosted());
-        }
-    }
-
-    /// Solid as far as the limb reaches, dashed from there.
-    fn pointer(&self, drawing: &mut Drawing) {
-        let (root, target) = (self.limits.root_in_world, self.target());
-        let far = root.distance(target);
-        let reached = root + (target - root) * (self.limits.outer_m / far.max(1e-9)).min(1.0);
-        let pen = Pen::new(rgba(self.side, 255), 1.75);
-        drawing.line(root, reached, pen.under());
-        drawing.line(root, reached, pen);
-        drawing.line(reached, target, pen.dashed(7.0));
-        drawing.disc(root, 3.5, rgba(self.side, 255), Layer::OnTop);
-        drawing.write(root.lerp(target, 0.5), [0.0, -14.0], format!("{:.0} mm", far * 1000.0), self.side);
-    }
-
-    fn limit(&self, drawing: &mut Drawing, radius_m: f64, color: Color32, name: &str) {
-        let root = self.limits.root_in_world;
-        drawing.overlay.balls.push(Ball {
-            center: root.as_vec3(),
-            radius_m: radius_m as f32,
-            color: rgba(color, 150),
-            layer: Layer::Ghosted,
-        });
-        let up = drawing.sight.camera.axes().y_axis.as_dvec3();
-        let words = format!("{name} {:.0} mm", radius_m * 1000.0);
-        drawing.write(root + up * radius_m, [0.0, -9.0], words, color);
-    }
 
     /// The whole circle thin, what the ranges leave open thick, with a spoke to the hinge.
     fn elevation(&self, drawing: &mut Drawing) {
@@ -222,37 +182,12 @@ impl Of<'_> {
         drawing.line(place(from), place(to), Pen::new(ELEVATION, 2.0));
     }
 
-    /// Grids that end at the outer limit, on the planes of what carries the root.
+    /// On the planes of what carries the root.
     fn planes(&self, drawing: &mut Drawing) {
         let frames = &self.editor.evaluation().frames;
         let carrier = self.editor.figure().skeleton.joint(self.limb.parts().root).and_then(|j| j.carrier);
         let turn = carrier.map_or(DQuat::IDENTITY, |bone| frames[bone].rotation);
-        for across in Axis::ALL {
-            let color = axis_color(across);
-            let [first, second] = sides(across).map(|axis| turn * axis.vector());
-            self.grid(drawing, first, second, color);
-            self.grid(drawing, second, first, color);
-            let [r, g, b, _] = color;
-            let pen = Pen::new([r, g, b, 130], 1.25).ghosted();
-            drawing.ring(self.limits.root_in_world, turn * across.vector(), self.limits.outer_m, pen);
-        }
-    }
-
-    /// Lines along one direction, each a step farther along another, cut off by the outer limit.
-    fn grid(&self, drawing: &mut Drawing, along: DVec3, step: DVec3, [r, g, b, _]: Color) {
-        let (root, reach) = (self.limits.root_in_world, self.limits.outer_m);
-        let count = (reach / PITCH_M).floor() as i32;
-        for i in -count..=count {
-            let off = f64::from(i) * PITCH_M;
-            let half = (reach * reach - off * off).max(0.0).sqrt();
-            let (alpha, width) = if i == 0 { (150, 1.5) } else { (64, 1.0) };
-            let middle = root + step * off;
-            drawing.line(
-                middle - along * half,
-                middle + along * half,
-                Pen::new([r, g, b, alpha], width).ghosted(),
-            );
-        }
+        planes(drawing, self.limits.root_in_world, turn, self.limits.outer_m, PITCH_M);
     }
 
     fn axes(&self, drawing: &mut Drawing) {
@@ -281,6 +216,80 @@ impl Of<'_> {
             let [r, g, b, _] = color;
             drawing.write(at + axis * arm * 1.18, [0.0, 0.0], letter, Color32::from_rgb(r, g, b));
         }
+    }
+}
+
+/// A target: arms along the world's axes, and how high it is over the ground.
+pub fn cursor(drawing: &mut Drawing, target: DVec3) {
+    let arm = 26.0 * drawing.sight.metres_per_px(target);
+    for along in Axis::ALL {
+        let pen = Pen::new(axis_color(along), 1.75);
+        drawing.line(target - along.vector() * arm, target + along.vector() * arm, pen);
+    }
+    let ground = DVec3 { y: 0.0, ..target };
+    let pen = Pen::new([226, 228, 234, 120], 1.25);
+    drawing.line(target, ground, pen.dashed(6.0).ghosted());
+    for radius in [0.015, 0.045] {
+        drawing.ring(ground, DVec3::Y, radius, pen.ghosted());
+    }
+}
+
+/// The line from root to target: solid as far as is reached, dashed from there.
+pub fn pointer(drawing: &mut Drawing, [root, target]: [DVec3; 2], outer_m: f64, color: Color32) {
+    let far = root.distance(target);
+    let reached = root + (target - root) * (outer_m / far.max(1e-9)).min(1.0);
+    let pen = Pen::new(rgba(color, 255), 1.75);
+    drawing.line(root, reached, pen.under());
+    drawing.line(root, reached, pen);
+    drawing.line(reached, target, pen.dashed(7.0));
+    drawing.disc(root, 3.5, rgba(color, 255), Layer::OnTop);
+    drawing.write(root.lerp(target, 0.5), [0.0, -14.0], format!("{:.0} mm", far * 1000.0), color);
+}
+
+/// A ball about the root with its radius.
+pub fn limit(drawing: &mut Drawing, root: DVec3, radius_m: f64, color: Color32, name: &str) {
+    drawing.overlay.balls.push(Ball {
+        center: root.as_vec3(),
+        radius_m: radius_m as f32,
+        color: rgba(color, 150),
+        layer: Layer::Ghosted,
+    });
+    let up = drawing.sight.camera.axes().y_axis.as_dvec3();
+    let words = format!("{name} {:.0} mm", radius_m * 1000.0);
+    drawing.write(root + up * radius_m, [0.0, -9.0], words, color);
+}
+
+/// Grids through the root that end at the outer limit, on the planes of turned axes, metres.
+pub fn planes(drawing: &mut Drawing, root: DVec3, turn: DQuat, reach: f64, pitch: f64) {
+    for across in Axis::ALL {
+        let color = axis_color(across);
+        let [first, second] = sides(across).map(|axis| turn * axis.vector());
+        for (along, step) in [(first, second), (second, first)] {
+            grid(drawing, (root, reach), along, step * pitch, color);
+        }
+        let [r, g, b, _] = color;
+        let pen = Pen::new([r, g, b, 130], 1.25).ghosted();
+        drawing.ring(root, turn * across.vector(), reach, pen);
+    }
+}
+
+/// Lines along one direction, each a step farther, cut off by a ball about a root.
+fn grid(
+    drawing: &mut Drawing,
+    (root, reach): (DVec3, f64),
+    along: DVec3,
+    step: DVec3,
+    [r, g, b, _]: Color,
+) {
+    let pitch = step.length().max(1e-9);
+    let count = (reach / pitch).floor() as i32;
+    for i in -count..=count {
+        let off = f64::from(i) * pitch;
+        let half = (reach * reach - off * off).max(0.0).sqrt();
+        let (alpha, width) = if i == 0 { (150, 1.5) } else { (64, 1.0) };
+        let middle = root + step * f64::from(i);
+        let pen = Pen::new([r, g, b, alpha], width).ghosted();
+        drawing.line(middle - along * half, middle + along * half, pen);
     }
 }
 
