@@ -32,6 +32,7 @@ use crate::session::Status;
 use crate::settings::{ConfigFolder, Settings};
 use crate::theme;
 use crate::toolbar::Wish;
+use crate::viewport::Guide;
 pub use act::{knows, words};
 use driving::Driving;
 use panel::ChainPanel;
@@ -165,6 +166,11 @@ impl ChainSession {
         }
         self.node = node;
         self.panel.reveal();
+    }
+
+    /// Shows one of the guides to what the chosen line of links reaches.
+    pub fn show_guide(&mut self, guide: Guide) {
+        self.panel.show_guide(guide);
     }
 
     /// Asks the editor, and remembers what came of it for the status line.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use edit::{
     ChainEditor, ChainHands, ChainNode, ChainRequest, ChainRoot, ChainShape, ChainSolver, ChainSpot,
-    ChainStage, LinkPicker, Modifiers, Sight, chain_axis, chain_handles,
+    ChainStage, LinkPicker, Modifiers, Sight, chain_axis, chain_handles, chain_span,
 };
 use glam::{DQuat, DVec3, Vec2, Vec3};
 use kin::{Frame, Interval};
@@ -186,4 +186,63 @@ fn the_walk_leaves_out_a_root_that_is_held_or_has_a_base() {
         Robot::new("lone", vec![RobotLink { name: "a".to_owned(), ..RobotLink::default() }], Vec::new());
     let lone = editor(lone.unwrap(), &[]);
     assert_eq!(ChainNode::Root.next(lone.document(), true), ChainNode::Root);
+}
+
+/// A ball joint with a link of half a metre, and a hinge across it with one of 40 cm that bends up to 150 degrees.
+fn limb() -> Robot {
+    let link = |name: &str, tip: f64| RobotLink {
+        name: name.to_owned(),
+        tip: Some(DVec3::X * tip),
+        ..RobotLink::default()
+    };
+    let joint = |kind, [name, parent, child]: [&str; 3], at: f64| RobotJoint {
+        name: name.to_owned(),
+        kind,
+        parent: parent.to_owned(),
+        child: child.to_owned(),
+        parent_from_joint: Frame::new(DQuat::IDENTITY, DVec3::X * at),
+        axis: DVec3::Y,
+        limit: Some(JointLimit {
+            range: Interval::new(0.0, 150f64.to_radians()),
+            effort: 0.0,
+            velocity: 0.0,
+        }),
+        mimic: None,
+    };
+    let joints = vec![
+        joint(RobotJointKind::Ball, ["upper", "root", "upper"], 0.2),
+        joint(RobotJointKind::Revolute, ["lower", "upper", "lower"], 0.5),
+    ];
+    Robot::new("limb", vec![link("root", 0.2), link("upper", 0.5), link("lower", 0.4)], joints).unwrap()
+}
+
+#[test]
+fn a_limb_s_limits_are_those_of_its_hinge_and_its_middle_swings_about_the_line_to_its_end() {
+    let mut editor = editor(limb(), &[0.3, 0.4, 0.5, 1.2]);
+    let span = chain_span(&editor, ChainNode::Value(0)).unwrap();
+    assert_eq!((span.link, span.joints.as_slice()), (2, &[0, 1][..]));
+    assert!((span.outer_m - 0.9).abs() < 1e-9);
+    let folded = (0.25f64 + 0.16 + 2.0 * 0.2 * 150f64.to_radians().cos()).sqrt();
+    assert!((span.inner_m - folded).abs() < 1e-9, "{}", span.inner_m);
+    let circle = span.swing.unwrap();
+    let elbow = editor.frames()[2].position;
+    assert!(circle.point(0.0).distance(elbow) < 1e-9);
+    for angle in [1.0, 2.5, 4.0] {
+        let swung = circle.point(angle);
+        assert!((swung.distance(span.root_in_world) - 0.5).abs() < 1e-9);
+        assert!((swung.distance(span.end_in_world) - 0.4).abs() < 1e-9);
+    }
+    editor.submit(ChainRequest::Do(edit::ChainCommand::Ranges { on: false })).unwrap();
+    let free = chain_span(&editor, ChainNode::Value(3)).unwrap();
+    assert!((free.inner_m - 0.1).abs() < 1e-9 && (free.outer_m - 0.9).abs() < 1e-9);
+}
+
+#[test]
+fn a_longer_line_reaches_as_far_as_its_links_are_long_and_what_doesn_t_turn_nowhere() {
+    let long = editor(line(4), &[0.3; 4]);
+    let span = chain_span(&long, ChainNode::Value(1)).unwrap();
+    assert_eq!((span.link, span.joints.len()), (4, 4));
+    assert!((span.outer_m - 2.0).abs() < 1e-9 && span.inner_m == 0.0 && span.swing.is_none());
+    let sliding = editor(one(RobotJointKind::Prismatic), &[0.0]);
+    assert_eq!(chain_span(&sliding, ChainNode::Value(0)), None);
 }

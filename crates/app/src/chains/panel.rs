@@ -7,6 +7,7 @@ use super::guides::ChainGuides;
 use super::{editing, joints, reaching};
 use crate::rail::Change;
 use crate::theme;
+use crate::viewport::Guide;
 
 pub use reaching::Reaching;
 
@@ -62,6 +63,11 @@ impl ChainPanel {
         self.guides
     }
 
+    /// Switches one of the guides on.
+    pub fn show_guide(&mut self, guide: Guide) {
+        self.guides.set(guide);
+    }
+
     /// Brings the row of what is chosen into view.
     pub fn reveal(&mut self) {
         self.reveal = true;
@@ -85,8 +91,8 @@ impl ChainPanel {
                 heading(ui, "Reach", None);
                 inset(ui, |ui| {
                     sheet.reaching(ui, &mut self.reaching);
-                self.guides.show(ui);
-            });
+                    self.guides.show(ui);
+                });
                 heading(ui, "Edit", None);
                 inset(ui, |ui| sheet.editing(ui, &mut self.new_name));
             },

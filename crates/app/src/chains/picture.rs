@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use edit::{
-    ChainEditor, ChainHands, ChainNode, ChainReach, ChainRequest, ChainSpot, ChainStage, LinkPicker, Navigator, Preset,
-    Sight,
+    ChainEditor, ChainHands, ChainNode, ChainReach, ChainRequest, ChainSpot, ChainStage, LinkPicker,
+    Navigator, Preset, Sight,
 };
 use egui::{Pos2, Rect, Sense, Ui};
 use glam::{DVec3, Vec2, Vec3};

@@ -149,7 +149,6 @@ impl Of<'_> {
         self.editor.evaluation().limbs[self.limb.index()].target
     }
 
-
     /// The whole circle thin, what the ranges leave open thick, with a spoke to the hinge.
     fn elevation(&self, drawing: &mut Drawing) {
         let view = self.editor.evaluation().limbs[self.limb.index()];
@@ -274,13 +273,7 @@ pub fn planes(drawing: &mut Drawing, root: DVec3, turn: DQuat, reach: f64, pitch
 }
 
 /// Lines along one direction, each a step farther, cut off by a ball about a root.
-fn grid(
-    drawing: &mut Drawing,
-    (root, reach): (DVec3, f64),
-    along: DVec3,
-    step: DVec3,
-    [r, g, b, _]: Color,
-) {
+fn grid(drawing: &mut Drawing, (root, reach): (DVec3, f64), along: DVec3, step: DVec3, [r, g, b, _]: Color) {
     let pitch = step.length().max(1e-9);
     let count = (reach / pitch).floor() as i32;
     for i in -count..=count {

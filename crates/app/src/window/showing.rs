@@ -21,9 +21,9 @@ pub struct Showing {
     /// Actions on what is seen, by their names in the file of keys: Library,SecondView,Theme,FrameSelection.
     #[arg(long = "do", value_name = "ACTIONS", value_delimiter = ',', value_parser = action, requires = "ui")]
     actions: Vec<Action>,
-    /// Guides to a limb's reach, by the words of their buttons: leftArm:line,leftArm:outer.
-    #[arg(long, value_name = "LIMB:GUIDE", value_delimiter = ',', value_parser = guide, requires = "ui")]
-    guides: Vec<(Limb, Guide)>,
+    /// Guides to a limb's reach, by the words of their buttons: leftArm:line,leftArm:outer; of a chain: line,outer.
+    #[arg(long, value_name = "LIMB:GUIDE", value_delimiter = ',', requires = "ui")]
+    guides: Vec<String>,
     /// Where the pointer is, in points of the window: 640,400.
     #[arg(long, value_name = "X,Y", value_parser = place, requires = "ui")]
     pointer: Option<Pos2>,
@@ -56,9 +56,13 @@ fn guide(text: &str) -> Result<(Limb, Guide), String> {
     let limbs = || Limb::ALL.iter().map(|limb| limb.name()).collect::<Vec<_>>().join(", ");
     let limb = Limb::ALL.into_iter().find(|known| known.name() == limb);
     let limb = limb.ok_or_else(|| format!("no such limb; there are {}", limbs()))?;
+    Ok((limb, guide_of_word(word)?))
+}
+
+fn guide_of_word(word: &str) -> Result<Guide, String> {
     let words = || Guide::ALL.map(|guide| guide.word().to_lowercase()).join(", ");
     let guide = Guide::ALL.into_iter().find(|guide| guide.word().eq_ignore_ascii_case(word));
-    Ok((limb, guide.ok_or_else(|| format!("no such guide; there are {}", words()))?))
+    guide.ok_or_else(|| format!("no such guide; there are {}", words()))
 }
 
 fn place(text: &str) -> Result<Pos2, String> {
@@ -78,8 +82,9 @@ impl Showing {
             let bone = bone(name).map_err(Failure::Usage)?;
             session.panels.choose(&figure.skeleton, Choose::Toggle(bone));
         }
-        for (limb, guide) in &self.guides {
-            session.panels.set_guide(*limb, *guide, true);
+        for words in &self.guides {
+            let (limb, guide) = guide(words).map_err(Failure::Usage)?;
+            session.panels.set_guide(limb, guide, true);
         }
         for action in &self.actions {
             session.act(ctx, *action);
@@ -87,15 +92,18 @@ impl Showing {
         Ok(())
     }
 
-    /// The same in the window of a chain, which has no guides.
+    /// The same in the window of a chain.
     ///
     /// # Errors
-    /// A joint that the chain doesn't have.
+    /// A joint that the chain doesn't have, a guide that isn't one.
     pub(super) fn apply_to_chain(&self, ctx: &Context, session: &mut ChainSession) -> Result<(), Failure> {
         for name in &self.select {
             let robot = session.editor().robot().clone();
             let joint = robot.find_joint(name).map_err(|e| Failure::Usage(e.to_string()))?;
             session.choose(ChainNode::of_link(&robot, joint + 1));
+        }
+        for word in &self.guides {
+            session.show_guide(guide_of_word(word).map_err(Failure::Usage)?);
         }
         self.actions.iter().for_each(|action| session.act(ctx, *action));
         Ok(())

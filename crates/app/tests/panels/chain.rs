@@ -362,6 +362,21 @@ fn a_figure_s_window_hands_chains_on() {
     assert_eq!(session.take_elsewhere(), None, "once");
 }
 
+#[test]
+fn each_guide_to_what_is_reached_is_switched_by_itself() {
+    let mut hand = window("library:limb-lab.chain.ron");
+    let names =
+        ["target", "pointer line", "outer limit", "inner limit", "elevation circle", "grids", "joint axes"];
+    for name in names {
+        let label = format!("Guide: {name}");
+        let on = |hand: &ChainHand| hand.get_by_label(&label).accesskit_node().toggled();
+        let before = on(&hand);
+        click(&mut hand, &label);
+        assert_ne!(on(&hand), before, "{name}");
+    }
+    assert_eq!(steps(&hand), 0, "it is nothing of the chain");
+}
+
 /// Roles that a user acts on.
 fn acts(role: Role) -> bool {
     use Role::{Button, CheckBox, ComboBox, MenuItem, RadioButton, Slider, SpinButton, TextInput};
