@@ -28,6 +28,7 @@ use crate::dialogs::{Dialogs, Paper};
 use crate::failure::Failure;
 use crate::keymap::Keymap;
 use crate::library::shipped;
+use crate::saving::Saving;
 use crate::session::Status;
 use crate::settings::{ConfigFolder, Settings};
 use crate::theme;
@@ -65,6 +66,8 @@ pub struct ChainSession {
     quit: bool,
     /// A file that is to be opened in another kind of window.
     elsewhere: Option<PathBuf>,
+    /// The pictures that are being made.
+    saving: Option<Saving>,
     keymap: Keymap,
     settings: Settings,
     /// Where settings and keys are kept, and the settings as they are there.
@@ -89,6 +92,7 @@ impl ChainSession {
             moving: false,
             quit: false,
             elsewhere: None,
+            saving: None,
             keymap: Keymap::default(),
             settings: Settings::default(),
             config: None,
@@ -232,6 +236,7 @@ impl ChainSession {
         self.show_picture(ui);
         self.end_gesture(ui);
         self.show_dialogs(ui);
+        self.show_saving(ui);
         self.keep_settings(ui);
     }
 

@@ -192,7 +192,8 @@ impl Dialogs {
     pub fn save_picture(&mut self, present: Option<&Path>, choices: &Choices) {
         let pose = present.map_or_else(|| "unnamed".to_owned(), |path| path.display().to_string());
         let ending = picture::ending(choices);
-        self.path = format!("{}{ending}", pose.strip_suffix(self.paper.suffix()).unwrap_or(&pose));
+        let bare = self.paper.opens().iter().find_map(|suffix| pose.strip_suffix(suffix));
+        self.path = format!("{}{ending}", bare.unwrap_or(&pose));
         self.ask(Dialog::PicturePath);
     }
 

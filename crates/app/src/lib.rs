@@ -20,6 +20,7 @@ mod panels;
 pub mod picture;
 mod rail;
 mod reaching;
+mod saving;
 mod session;
 mod settings;
 mod sign;

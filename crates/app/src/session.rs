@@ -22,6 +22,7 @@ use crate::failure::Failure;
 use crate::keymap::Keymap;
 use crate::library::{Folders, Library};
 use crate::panels::Panels;
+use crate::saving::Saving;
 use crate::settings::{ConfigFolder, Settings};
 use crate::toolbar::Wish;
 use crate::viewport::Viewport;
@@ -29,7 +30,6 @@ use crate::{status_line, theme, toolbar};
 pub use act::style_of;
 pub use body::MANNEQUIN;
 use recovery::Recovery;
-use saving::Saving;
 
 /// The left panel's rows need as much, points.
 const PANEL_LEAST: f32 = 340.0;

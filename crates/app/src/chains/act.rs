@@ -15,7 +15,7 @@ use crate::toolbar::Acting;
 pub fn knows(action: Action) -> bool {
     use Action::*;
     match action.group() {
-        Group::File => !matches!(action, New | SavePicture),
+        Group::File => action != New,
         Group::Edit => matches!(action, Undo | Redo),
         Group::Selection => matches!(action, Parent | Child | NextJoint | PreviousJoint),
         Group::Pose => matches!(action, ClearRotation | Reset | Ranges),
@@ -84,6 +84,9 @@ impl Acting for ChainSession {
             Action::Open => "Opens a robot, a chain, a pose, a script or a figure.",
             Action::Save => "Saves the chain to its file.",
             Action::SaveAs => "Saves the chain to another file.",
+            Action::SavePicture => {
+                "Saves what the view shows: a still, or the view turning around the chain."
+            }
             Action::ClearRotation => "The chosen joint back to 0, or as near as its range lets it.",
             Action::Reset => "All joints back to 0, or as near as their ranges let them.",
             Action::Ranges => "Whether joints stop at the ends of their ranges.",
@@ -119,6 +122,7 @@ impl ChainSession {
             Action::Open => self.intend(Intent::Open(None)),
             Action::Save => self.save_or_ask(None),
             Action::SaveAs => self.ask_where(None),
+            Action::SavePicture => self.dialogs.save_picture(self.named().as_deref(), &self.settings.picture),
             Action::Settings => self.dialogs.ask(Dialog::Settings),
             Action::Quit => self.quit_asking(),
             _ => {}

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use edit::{ChainDocument, ChainEditor, ChainRequest};
-use egui::Ui;
+use egui::{Context, Ui};
 
 use super::ChainSession;
 use crate::dialogs::{Answer, Dialog, Intent, Writing};
@@ -11,6 +11,8 @@ use crate::failure::Failure;
 use crate::finish::Finish;
 use crate::library::chains;
 use crate::load::{self, Kind};
+use crate::picture::Subject;
+use crate::saving::{Saving, Seen};
 use crate::settings::ConfigFolder;
 
 impl ChainSession {
@@ -139,10 +141,15 @@ impl ChainSession {
 
     /// Asks where to save, beginning with the present file, or the name of a shipped one.
     pub(super) fn ask_where(&mut self, then: Option<Intent>) {
-        let name = self.file_name();
-        let shipped = self.path.as_deref().is_some_and(is_shipped);
-        let present = if shipped { Some(PathBuf::from(name)) } else { self.path.clone() };
-        self.dialogs.save(present.as_deref(), then);
+        self.dialogs.save(self.named().as_deref(), then);
+    }
+
+    /// The present file, or the bare name of a shipped one.
+    pub(super) fn named(&self) -> Option<PathBuf> {
+        match self.path.as_deref().is_some_and(is_shipped) {
+            true => Some(PathBuf::from(self.file_name())),
+            false => self.path.clone(),
+        }
     }
 
     fn save_then(&mut self, path: &Path, then: Option<Intent>) {
@@ -154,6 +161,41 @@ impl ChainSession {
             }
             Err(error) => self.tell(Err(error)),
         }
+    }
+
+    /// Begins to write what the view shows, without marks, as was chosen in the dialog.
+    fn save_picture(&mut self, ctx: &Context, path: &Path) {
+        if self.saving.is_some() {
+            self.tell(Err(Failure::Usage("another picture is still being saved".to_owned())));
+            return;
+        }
+        let seen = Seen {
+            subject: Subject::of_chain(self.editor.document()),
+            camera: self.picture.camera,
+            finish: self.settings.finish,
+            file: self.path.as_deref(),
+        };
+        match Saving::begin(ctx, path, seen, &self.settings.picture) {
+            Ok(saving) => {
+                self.say(format!("Saving {}", path.display()));
+                self.saving = Some(saving);
+            }
+            Err(failure) => self.tell(Err(failure)),
+        }
+    }
+
+    /// Shows how far the pictures are, stops them when asked, and tells when they are done.
+    pub(super) fn show_saving(&mut self, ui: &Ui) {
+        match Saving::show(&mut self.saving, ui) {
+            Some(Ok(words)) => self.say(words),
+            Some(Err(failure)) => self.tell(Err(failure)),
+            None => {}
+        }
+    }
+
+    /// Whether a picture is being saved.
+    pub fn is_saving(&self) -> bool {
+        self.saving.is_some()
     }
 
     pub(super) fn take_dropped(&mut self, ui: &Ui) {
@@ -178,7 +220,10 @@ impl ChainSession {
             }
             Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),
-            // A window on a chain asks for neither pictures nor figures, and keeps nothing for a next start.
+            Answer::Write(Writing::Picture(path)) | Answer::Replace(Writing::Picture(path)) => {
+                self.save_picture(ui.ctx(), &path);
+            }
+            // A window on a chain asks for no figures, and keeps nothing for a next start.
             Answer::Write(_) | Answer::Replace(_) | Answer::Recover(_) => {}
         }
     }

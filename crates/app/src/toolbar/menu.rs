@@ -125,6 +125,7 @@ pub const CHAIN: &[Menu] = &[
             Line,
             Do(Action::Save),
             Do(Action::SaveAs),
+            Do(Action::SavePicture),
             Line,
             Title("Robots and chains"),
             Chains,

@@ -363,6 +363,32 @@ fn a_figure_s_window_hands_chains_on() {
 }
 
 #[test]
+fn what_the_view_shows_of_a_chain_is_saved_as_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("dig.png");
+    let mut hand = window(EXCAVATOR);
+    press(&mut hand, Modifiers::NONE, Key::F12);
+    press(&mut hand, Modifiers::COMMAND, Key::A);
+    hand.event(egui::Event::Text(path.display().to_string()));
+    hand.run();
+    set(&mut hand, Role::SpinButton, "Width of the picture", 160.0);
+    set(&mut hand, Role::SpinButton, "Height of the picture", 100.0);
+    click(&mut hand, "Save the picture now");
+    for _ in 0..1200 {
+        if !hand.state().is_saving() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(25));
+        hand.step();
+    }
+    let picture = image::open(&path).unwrap_or_else(|e| panic!("{e}: {:?}", hand.state().status()));
+    let picture = picture.into_rgba8();
+    assert_eq!(picture.dimensions(), (160, 100));
+    let colours: std::collections::BTreeSet<[u8; 4]> = picture.pixels().map(|pixel| pixel.0).collect();
+    assert!(colours.iter().any(|[r, _, b, _]| r.saturating_sub(*b) > 90), "the excavator is yellow");
+}
+
+#[test]
 fn each_guide_to_what_is_reached_is_switched_by_itself() {
     let mut hand = window("library:limb-lab.chain.ron");
     let names =
