@@ -169,6 +169,7 @@ impl ChainSession {
             self.submit(ChainRequest::Commit);
         }
         self.node = node;
+        self.keep_choice();
         self.panel.reveal();
     }
 

@@ -235,3 +235,40 @@ fn a_chain_file_is_inspected_with_its_own_values_and_checked() {
     let by_name = folder.file("named.chain.ron", "(version: 1, urdf: \"gripper.urdf\")");
     assert!(said(&posewright(&["check", text(&by_name)])).contains("gripper.urdf:5:"));
 }
+
+#[test]
+fn every_shipped_script_of_a_chain_runs_and_reaches() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/scripts");
+    let mut count = 0;
+    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if edit::chain_of_script(&fs::read_to_string(&entry).unwrap()).is_none() {
+            continue;
+        }
+        let reports = record(&posewright(&["run", text(&entry), "--report", "-"]));
+        for report in reports.as_array().unwrap() {
+            assert_eq!(report["clamped"], false, "{}: {}", entry.display(), report["command"]);
+            assert!(report["reach"].is_null() || report["reach"]["reached"] == true, "{}", report["command"]);
+        }
+        count += 1;
+    }
+    assert!(count > 0);
+}
+
+#[test]
+fn a_chain_that_a_script_has_moved_is_saved_and_comes_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = folder.path().join("bend.script.ron");
+    let commands = r#"Turn(joint: "lower arm", degrees: -60.0, by: To), Append(to: "shade", name: "tassel", length: 0.05)"#;
+    let head = r#"version: 1, chain: "library:desk-lamp.chain.ron""#;
+    fs::write(&script, format!("({head}, commands: [{commands}])")).unwrap();
+    let saved = folder.path().join("bent.chain.ron");
+    let ran = posewright(&["run", text(&script), "--save", text(&saved), "--report", "-"]);
+    let links = record(&ran).as_array().unwrap().last().unwrap()["links"].clone();
+    let again = folder.path().join("still.script.ron");
+    fs::write(&again, r#"(version: 1, chain: "bent.chain.ron", commands: [])"#).unwrap();
+    let read = record(&posewright(&["run", text(&again), "--report", "-"]))[0]["links"].clone();
+    for (name, link) in links.as_object().unwrap() {
+        assert!(near(&read[name]["end"], &numbers(&link["end"])), "{name}: {} and {link}", read[name]);
+    }
+    assert!(links.as_object().unwrap().contains_key("tassel"));
+}

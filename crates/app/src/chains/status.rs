@@ -79,7 +79,10 @@ fn under(session: &ChainSession) -> Vec<Hint> {
     match session.picture.under() {
         ChainSpot::Nothing => Vec::new(),
         ChainSpot::Handle(handle) => {
-            let name = &robot.joints()[handle.joint].name;
+            // What the pointer was on may be gone by now.
+            let Some(name) = robot.joints().get(handle.joint).map(|joint| &joint.name) else {
+                return Vec::new();
+            };
             let does = match handle.shape {
                 ChainShape::Ring(_) => format!("turns {name}"),
                 ChainShape::Track(_) => format!("slides {name}"),
@@ -87,7 +90,7 @@ fn under(session: &ChainSession) -> Vec<Hint> {
             vec![Hint::of(&["Drag"], &does)]
         }
         ChainSpot::Link(hit) => {
-            let link = &robot.links()[hit.link].name;
+            let Some(link) = robot.links().get(hit.link).map(|link| &link.name) else { return Vec::new() };
             match ChainNode::of_link(robot, hit.link) {
                 ChainNode::Root if session.editor().document().root == RootMoves::Held => {
                     vec![Hint::of(&[], &format!("{link} is held"))]

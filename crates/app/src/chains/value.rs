@@ -68,10 +68,10 @@ impl Unit {
 
     /// A number with the unit.
     pub fn written(self, shown: f64) -> String {
-        if shown.is_finite() {
-            return format!("{shown:.*}{}", self.decimals(), self.suffix());
+        match shown.is_finite() {
+            true => format!("{shown:.*}{}", self.decimals(), self.suffix()),
+            false => "no end".to_owned(),
         }
-        if shown < 0.0 { "any".to_owned() } else { "any number".to_owned() }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Keys drive a chain: the walk of Space, the speed profile at several rates of frames, ranges, steps of undo.
 
 use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
 
 use crate::chain::{ChainHand, EXCAVATOR, chosen, steps, value, window_at};
 
@@ -167,4 +168,63 @@ fn another_joint_chosen_on_the_way_ends_the_drive_as_a_step() {
     key(&mut hand, Key::ArrowUp, false);
     rest(&mut hand);
     assert_eq!(steps(&hand), 2);
+}
+
+const ARROWS: [Key; 4] = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
+
+/// Numbers that look random and are the same each time.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, count: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % count
+    }
+}
+
+/// One thing that a hand may do.
+fn anything(hand: &mut ChainHand, dice: &mut Dice) {
+    let at = egui::pos2(400.0 + dice.below(860) as f32, 60.0 + dice.below(700) as f32);
+    let arrow = ARROWS[dice.below(4) as usize];
+    match dice.below(14) {
+        0..4 => hand.hover_at(at),
+        4 => hand.drag_at(at),
+        5 | 6 => hand.drop_at(at),
+        7 => key(hand, arrow, true),
+        8 => key(hand, arrow, false),
+        9 => key(hand, Key::Space, true),
+        10 => key(hand, Key::Escape, true),
+        11 => hand.key_press_modifiers(Modifiers::COMMAND, Key::Z),
+        12 => hand.key_press_modifiers(Modifiers::COMMAND, Key::Y),
+        _ => {
+            let label = ["Append", "Remove", "Root follows", "Root held"][dice.below(4) as usize];
+            hand.get_by_label(label).click();
+        }
+    }
+    hand.step();
+}
+
+#[test]
+fn whatever_pointer_and_keys_do_values_stay_in_range_and_undo_leads_back() {
+    let mut hand = window_at(EXCAVATOR, 1.0 / 30.0);
+    let start = hand.state().editor().document().clone();
+    let mut dice = Dice(7);
+    for i in 0..700 {
+        anything(&mut hand, &mut dice);
+        let document = hand.state().editor().document();
+        for (value, dof) in document.pose.0.iter().zip(document.robot.dofs()) {
+            let off = dof.range.excess(*value);
+            assert!(value.is_finite() && off < 1e-9, "step {i}: {value} in {:?}", dof.range);
+        }
+    }
+    hand.drop_at(egui::pos2(5.0, 300.0));
+    for arrow in ARROWS {
+        key(&mut hand, arrow, false);
+    }
+    rest(&mut hand);
+    for _ in 0..steps(&hand) {
+        hand.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        hand.step();
+    }
+    assert_eq!(*hand.state().editor().document(), start, "to the very bits");
 }
