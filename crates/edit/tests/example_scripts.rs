@@ -57,7 +57,12 @@ fn steps(
 fn every_shipped_script_runs_unstopped() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder()).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
+        let entry = entry.unwrap();
+        // Those of chains are run by the program's own tests: chains come from files.
+        if edit::chain_of_script(&std::fs::read_to_string(entry.path()).unwrap()).is_some() {
+            continue;
+        }
+        let name = entry.file_name().into_string().unwrap();
         let (_, reports) = run(name.strip_suffix(".script.ron").expect("a script"));
         for report in &reports {
             assert!(!report.clamped, "{name}: {}", report.command);

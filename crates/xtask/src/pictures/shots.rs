@@ -75,6 +75,10 @@ const fn guide(options: &'static str) -> Tile {
     tile(ON_THE_NOSE, options, [100, 82, 284, 296])
 }
 
+const fn chain(file: &'static str) -> Tile {
+    tile(file, "--size 300x260", [10, 10, 280, 240])
+}
+
 /// Every picture.
 pub const TABLE: &[Picture] = &[
     Picture {
@@ -86,6 +90,21 @@ pub const TABLE: &[Picture] = &[
         name: "window.png",
         columns: 1,
         tiles: &[tile(ON_THE_NOSE, "--ui --size 1120x700 --select leftUpperArm", [0, 0, 1120, 700])],
+    },
+    Picture {
+        name: "chains.png",
+        columns: 4,
+        tiles: &[
+            chain("assets/chains/excavator.chain.ron"),
+            chain("assets/chains/snake.chain.ron"),
+            chain("assets/chains/limb-lab.chain.ron"),
+            chain("assets/chains/desk-lamp.chain.ron"),
+        ],
+    },
+    Picture {
+        name: "chain-window.png",
+        columns: 1,
+        tiles: &[tile("assets/scripts/excavator-dig.script.ron", "--ui --size 960x600", [0, 0, 960, 600])],
     },
     Picture {
         name: "light.png",
