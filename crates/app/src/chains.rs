@@ -30,7 +30,7 @@ use crate::keymap::Keymap;
 use crate::library::shipped;
 use crate::saving::Saving;
 use crate::session::Status;
-use crate::settings::{ConfigFolder, Settings};
+use crate::settings::{Keeper, Settings};
 use crate::theme;
 use crate::toolbar::Wish;
 use crate::viewport::Guide;
@@ -70,8 +70,7 @@ pub struct ChainSession {
     saving: Option<Saving>,
     keymap: Keymap,
     settings: Settings,
-    /// Where settings and keys are kept, and the settings as they are there.
-    config: Option<(ConfigFolder, Settings)>,
+    keeper: Keeper,
 }
 
 impl ChainSession {
@@ -95,7 +94,7 @@ impl ChainSession {
             saving: None,
             keymap: Keymap::default(),
             settings: Settings::default(),
-            config: None,
+            keeper: Keeper::default(),
         }
     }
 
@@ -317,8 +316,8 @@ impl ChainSession {
         let keys = self.keymap.clone();
         let answer = self.dialogs.show(ui.ctx(), &mut self.settings, None, &mut self.keymap);
         if keys != self.keymap {
-            let saved = self.config.as_ref().map(|(folder, _)| folder.save_keys(&self.keymap));
-            self.tell(saved.unwrap_or(Ok(())));
+            let saved = self.keeper.keep_keys(&self.keymap);
+            self.tell(saved);
         }
         if let Some(answer) = answer {
             self.answered(ui, answer);

@@ -23,7 +23,7 @@ use crate::keymap::Keymap;
 use crate::library::{Folders, Library};
 use crate::panels::Panels;
 use crate::saving::Saving;
-use crate::settings::{ConfigFolder, Settings};
+use crate::settings::{Keeper, Settings};
 use crate::toolbar::Wish;
 use crate::viewport::Viewport;
 use crate::{status_line, theme, toolbar};
@@ -67,8 +67,7 @@ pub struct Session {
     recovery: Recovery,
     keymap: Keymap,
     settings: Settings,
-    /// Where settings and keys are kept, and the settings as they are there.
-    config: Option<(ConfigFolder, Settings)>,
+    keeper: Keeper,
     /// Text that came with the key for pasting.
     paste_text: Option<String>,
     /// Whether the clipboard was asked for to be pasted mirrored.
@@ -100,7 +99,7 @@ impl Session {
             recovery: Recovery::default(),
             keymap: Keymap::default(),
             settings: Settings::default(),
-            config: None,
+            keeper: Keeper::default(),
             paste_text: None,
             paste_mirrored: false,
             library: Library::default(),

@@ -196,6 +196,42 @@ impl ConfigFolder {
     }
 }
 
+/// Keeps a window's settings and keys in a folder; without one, nowhere.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Keeper(Option<(ConfigFolder, Settings)>);
+
+impl Keeper {
+    /// What a folder holds, and what keeps it there from now on. What is wrong with its files is one fault, with its places; their
+    /// defaults are in force.
+    pub fn open(folder: ConfigFolder) -> (Keeper, Settings, Keymap, Option<Failure>) {
+        let (settings, keymap, faults) = folder.load();
+        let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        let fault = format!("{} · the defaults are used", words.join(" · "));
+        let fault = (!words.is_empty()).then_some(Failure::Input(fault));
+        (Keeper(Some((folder, settings.clone()))), settings, keymap, fault)
+    }
+
+    /// Writes the settings if they have changed: tried once for each change, also where the folder can't be written.
+    ///
+    /// # Errors
+    /// A folder that can't be written.
+    pub fn keep(&mut self, settings: &Settings) -> Result<(), Failure> {
+        let Some((folder, kept)) = self.0.as_mut().filter(|(_, kept)| kept != settings) else {
+            return Ok(());
+        };
+        *kept = settings.clone();
+        folder.save_settings(kept)
+    }
+
+    /// Writes the keys.
+    ///
+    /// # Errors
+    /// A folder that can't be written.
+    pub fn keep_keys(&self, keymap: &Keymap) -> Result<(), Failure> {
+        self.0.as_ref().map_or(Ok(()), |(folder, _)| folder.save_keys(keymap))
+    }
+}
+
 fn read<T: Default>(
     file: &Path,
     parse: impl Fn(&str) -> Result<T, TextFault>,

@@ -13,7 +13,7 @@ use crate::library::chains;
 use crate::load::{self, Kind};
 use crate::picture::Subject;
 use crate::saving::{Saving, Seen};
-use crate::settings::ConfigFolder;
+use crate::settings::{ConfigFolder, Keeper};
 
 impl ChainSession {
     /// A session on the chain that a file shows: a URDF, a chain file, or what a script makes of one. Joints of a URDF whose range
@@ -45,15 +45,9 @@ impl ChainSession {
     ///
     /// A file at fault is told in the status line with its place; its defaults stay in force.
     pub fn configure_from(&mut self, folder: ConfigFolder) {
-        let (settings, keymap, faults) = folder.load();
-        self.keymap = keymap;
-        self.settings = settings.clone();
-        self.config = Some((folder, settings));
-        let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
-        if !words.is_empty() {
-            let message = format!("{} · the defaults are used", words.join(" · "));
-            self.tell(Err(Failure::Input(message)));
-        }
+        let (keeper, settings, keymap, fault) = Keeper::open(folder);
+        (self.keeper, self.settings, self.keymap) = (keeper, settings, keymap);
+        self.tell(fault.map_or(Ok(()), Err));
     }
 
     /// Gives the chain another look.
@@ -66,11 +60,7 @@ impl ChainSession {
         if ui.input(|i| i.pointer.any_down()) {
             return;
         }
-        let changed = self.config.as_mut().filter(|(_, kept)| *kept != self.settings);
-        let Some((folder, kept)) = changed else { return };
-        // Tried once for each change, also where the folder can't be written.
-        *kept = self.settings.clone();
-        let saved = folder.save_settings(kept);
+        let saved = self.keeper.keep(&self.settings);
         self.tell(saved);
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use edit::{ChainEditor, ChainHandle, ChainNode, ChainShape, ChainSpot, ChainTrack, Circle};
 use egui::Color32;
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use render::{Color, Layer};
 use rig::DofPart;
 
@@ -16,6 +16,7 @@ use crate::viewport::drawing::{Drawing, Pen, rgba};
 const X: Color32 = Color32::from_rgb(242, 98, 88);
 const Y: Color32 = Color32::from_rgb(138, 208, 98);
 const Z: Color32 = Color32::from_rgb(94, 160, 252);
+const GROUND: Color = [24, 26, 30, 150];
 const BARE: Color = [205, 206, 210, 255];
 /// Links that are thinner in the picture are drawn as lines.
 const THIN_PX: f64 = 2.0;
@@ -24,6 +25,9 @@ const APART_PX: f32 = 9.0;
 
 /// Draws the marks.
 pub fn draw(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor, node: ChainNode) {
+    if picture.is_side_view() {
+        ground(drawing);
+    }
     thin_links(drawing, picture, editor);
     joints(drawing, editor, node);
     let held = match picture.under() {
@@ -38,6 +42,18 @@ pub fn draw(drawing: &mut Drawing, picture: &ChainPicture, editor: &ChainEditor,
             draw_handle(drawing, &handle, [hot, main]);
         }
     }
+}
+
+/// The ground as a line, where a flat view sees it from its edge.
+fn ground(drawing: &mut Drawing) {
+    let camera = drawing.sight.camera;
+    let (right, toward) = (camera.axes().x_axis.as_dvec3(), camera.axes().z_axis.as_dvec3());
+    if toward.y.abs() > 1e-3 {
+        return;
+    }
+    let middle = DVec3 { y: 0.0, ..camera.target.as_dvec3() };
+    let far = right * f64::from(camera.distance) * 4.0;
+    drawing.line(middle - far, middle + far, Pen { layer: Layer::Tested, ..Pen::new(GROUND, 1.5) });
 }
 
 /// Links of which nothing is seen, or hardly anything from so far away, are lines.

@@ -24,8 +24,10 @@ use crate::viewport::{Body, Part, Picture};
 /// Axes count as parallel with a larger cosine between them.
 const PARALLEL: f64 = 1.0 - 1e-6;
 /// What is left free around a chain when it is framed, as a part of its size: its joints turn.
-const AIR: f32 = 0.12;
+const AIR: f32 = 0.06;
 
+/// The ends of ranges that a flat view makes room for.
+const MOST_ENDS: usize = 16;
 /// Tints of what is chosen and of what is under the pointer: faint, for robots have colours of their own, and there are brackets.
 const SELECTED: render::Color = [255, 128, 30, 88];
 const HOVERED: render::Color = [255, 232, 196, 84];
@@ -261,11 +263,29 @@ impl ChainPicture {
         let own = node.filter(|node| *node != ChainNode::Root);
         let tight = match own {
             Some(node) => Bounds::of(self.corners(editor, node).into_iter().map(|p| p.as_vec3())),
+            None if self.is_side_view() => self.swept(editor),
             None => self.skin.bounds(editor.frames()),
         };
         let air = (tight.radius() * if own.is_some() { 1.2 } else { AIR }).max(0.02);
         let bounds = Bounds { min: tight.min - Vec3::splat(air), max: tight.max + Vec3::splat(air) };
         self.camera.frame(bounds, self.rect.width() / self.rect.height().max(1.0));
+    }
+
+    /// A box around a chain as it is and with each joint that turns at the ends of its range, so that a flat view has room for what
+    /// it does. A chain with many joints is taken as it is.
+    fn swept(&self, editor: &ChainEditor) -> Bounds {
+        let document = editor.document();
+        let turns = document.robot.dofs().enumerate().filter(|(_, dof)| dof.part.is_angle());
+        let ends = turns.flat_map(|(slot, dof)| [(slot, dof.range.min), (slot, dof.range.max)]);
+        let ends = ends.filter(|(_, end)| end.is_finite()).take(MOST_ENDS + 1);
+        let ends: Vec<(usize, f64)> = ends.collect();
+        let mut bounds = self.skin.bounds(editor.frames());
+        for (slot, end) in ends.iter().filter(|_| ends.len() <= MOST_ENDS) {
+            let mut turned = document.clone();
+            turned.pose.0[*slot] = *end;
+            bounds = bounds.union(self.skin.bounds(&turned.frames()));
+        }
+        bounds
     }
 
     /// Points around what a node moves by itself, links fixed to its own included, metres, world.

@@ -31,8 +31,8 @@ pub struct Standing {
 /// What a picture shows.
 #[derive(Clone, Debug)]
 pub enum Subject {
-    /// A figure.
-    Figure(Posed),
+    /// A figure; in a box, as it is much the larger.
+    Figure(Box<Posed>),
     /// A chain.
     Chain(Standing),
 }
@@ -40,7 +40,8 @@ pub enum Subject {
 impl Subject {
     /// The figure as an editor shows it.
     pub fn of(editor: &Editor) -> Subject {
-        Subject::Figure(Posed { figure: editor.figure().clone(), evaluation: editor.evaluation().clone() })
+        let posed = Posed { figure: editor.figure().clone(), evaluation: editor.evaluation().clone() };
+        Subject::Figure(Box::new(posed))
     }
 
     /// A chain as its document says.
@@ -100,8 +101,8 @@ impl Subject {
     /// What moves each mesh.
     pub(super) fn palettes(&self) -> Vec<Palette> {
         match self {
-            Subject::Figure(Posed { figure, evaluation }) => {
-                vec![Palette::new(&evaluation.frames, &rest_positions(figure))]
+            Subject::Figure(posed) => {
+                vec![Palette::new(&posed.evaluation.frames, &rest_positions(&posed.figure))]
             }
             Subject::Chain(standing) => standing.skin.palettes(&standing.frames),
         }

@@ -5,7 +5,7 @@ use egui::{Context, Ui};
 use super::Session;
 use crate::finish::Finish;
 use crate::keymap::Keymap;
-use crate::settings::ConfigFolder;
+use crate::settings::{ConfigFolder, Keeper};
 use crate::theme;
 
 impl Session {
@@ -13,18 +13,14 @@ impl Session {
     ///
     /// A file at fault is told in the status line with its place; its defaults stay in force.
     pub fn configure_from(&mut self, folder: ConfigFolder) {
-        let (settings, keymap, faults) = folder.load();
+        let (keeper, settings, keymap, fault) = Keeper::open(folder);
         self.viewport.marks = settings.marks;
         self.viewport.side_view = settings.second_view;
         self.viewport.preset = settings.navigation;
         self.use_keys(keymap);
-        self.settings = settings.clone();
-        self.config = Some((folder, settings));
-        let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
-        if !words.is_empty() {
-            let message = format!("{} · the defaults are used", words.join(" · "));
-            self.tell(Err(crate::failure::Failure::Input(message)));
-        }
+        self.settings = settings;
+        self.keeper = keeper;
+        self.tell(fault.map_or(Ok(()), Err));
     }
 
     /// Gives the figure another look.
@@ -43,11 +39,7 @@ impl Session {
         if ui.input(|i| i.pointer.any_down()) {
             return;
         }
-        let changed = self.config.as_mut().filter(|(_, kept)| *kept != self.settings);
-        let Some((folder, kept)) = changed else { return };
-        // Tried once for each change, also where the folder can't be written.
-        *kept = self.settings.clone();
-        let saved = folder.save_settings(kept);
+        let saved = self.keeper.keep(&self.settings);
         self.tell(saved);
     }
 
@@ -59,7 +51,7 @@ impl Session {
 
     /// Writes the keys, which have changed.
     pub(super) fn keep_keys(&mut self) {
-        let saved = self.config.as_ref().map(|(folder, _)| folder.save_keys(&self.keymap));
-        self.tell(saved.unwrap_or(Ok(())));
+        let saved = self.keeper.keep_keys(&self.keymap);
+        self.tell(saved);
     }
 }

@@ -354,6 +354,22 @@ fn a_base_slides_for_a_dragged_link_when_the_root_follows_and_when_it_is_dragged
 }
 
 #[test]
+fn settings_are_those_of_every_window() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut session = ChainSession::open(Path::new(EXCAVATOR)).unwrap();
+    session.configure_from(app::ConfigFolder::at(folder.path()));
+    let mut hand = shown(session, 0.05);
+    click(&mut hand, "View");
+    click(&mut hand, "Light or dark");
+    hand.run();
+    assert_eq!(hand.ctx.theme(), egui::Theme::Light);
+    let figure = edit::Editor::new(app::load::figure(None).unwrap());
+    let mut session = app::Session::new(figure, None);
+    session.configure_from(app::ConfigFolder::at(folder.path()));
+    assert_eq!(session.settings().look, app::Look::Light);
+}
+
+#[test]
 fn a_figure_s_window_hands_chains_on() {
     let editor = edit::Editor::new(app::load::figure(None).unwrap());
     let mut session = app::Session::new(editor, None);
