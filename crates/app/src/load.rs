@@ -13,7 +13,9 @@ use rig::{Figure, Pose, PosePatch};
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::shipped;
-pub use chain::{chain_editor, open_chain, chain_of, save as save_chain, script as chain_script, shows_chain};
+pub use chain::{
+    chain_editor, chain_of, open_chain, save as save_chain, script as chain_script, shows_chain,
+};
 pub use robot::{chain, robot};
 
 /// What a file is, by its name.

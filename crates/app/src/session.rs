@@ -297,7 +297,8 @@ impl Session {
 
     fn dialogs(&mut self, ui: &Ui) {
         let keys = self.keymap.clone();
-        let answer = self.dialogs.show(ui.ctx(), &mut self.settings, Some(&mut self.viewport), &mut self.keymap);
+        let answer =
+            self.dialogs.show(ui.ctx(), &mut self.settings, Some(&mut self.viewport), &mut self.keymap);
         if keys != self.keymap {
             self.viewport.keymap = self.keymap.clone();
             self.keep_keys();

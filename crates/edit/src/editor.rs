@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rig::{Body, Bone, Evaluation, Figure, Locks, Mechanics, Pose};
 
 use crate::apply::{Applied, apply, paste};
-use crate::history::History;
+use crate::history::{Back, History};
 use crate::symmetry::twin_of;
 use crate::telling::words;
 use crate::{Clay, Command, Document, Files, Outcome, Rejected};
@@ -162,9 +162,18 @@ impl Editor {
             Request::Preview(command) => self.preview(&[command], files),
             Request::PreviewAll(commands) => self.preview(&commands, files),
             Request::Commit => Ok(self.commit()),
-            Request::Cancel => Ok(self.cancel()),
-            Request::Undo => Ok(self.undo()),
-            Request::Redo => Ok(self.redo()),
+            Request::Cancel => {
+                let back = self.history.cancel();
+                Ok(self.back(back))
+            }
+            Request::Undo => {
+                let back = self.history.undo(&self.document);
+                Ok(self.back(back))
+            }
+            Request::Redo => {
+                let back = self.history.redo(&self.document);
+                Ok(self.back(back))
+            }
             Request::Open(pose) => Ok(self.open(*pose)),
             Request::Paste { text, mirrored } => {
                 let applied = paste(&self.figure, &self.document, &text, mirrored)?;
@@ -270,33 +279,12 @@ impl Editor {
         Outcome::default()
     }
 
-    fn cancel(&mut self) -> Outcome {
-        match self.history.cancel() {
-            Some(step) => {
-                self.show(step.document);
-                told(format!("{} cancelled", step.name))
-            }
-            None => Outcome::default(),
+    /// Shows what the history gives back.
+    fn back(&mut self, back: Back<Document>) -> Outcome {
+        if let Some(document) = back.document {
+            self.show(document);
         }
-    }
-
-    fn undo(&mut self) -> Outcome {
-        if self.in_gesture() {
-            return self.cancel();
-        }
-        let Some(step) = self.history.undo(&self.document) else {
-            return told("Nothing to undo".to_owned());
-        };
-        self.show(step.document);
-        told(format!("Undid: {}", step.name))
-    }
-
-    fn redo(&mut self) -> Outcome {
-        let Some(step) = self.history.redo(&self.document) else {
-            return told("Nothing to redo".to_owned());
-        };
-        self.show(step.document);
-        told(format!("Redid: {}", step.name))
+        told(back.message)
     }
 
     fn open(&mut self, pose: Pose) -> Outcome {

@@ -41,8 +41,9 @@ mod typed;
 pub use chain::{
     ChainCommand, ChainDocument, ChainEditor, ChainGoal, ChainHandle, ChainHands, ChainJointReport,
     ChainLinkReport, ChainNode, ChainOutcome, ChainPart, ChainReach, ChainReport, ChainRequest, ChainRoot,
-    ChainScript, ChainShape, ChainSolver, ChainSpan, ChainSpot, ChainStage, ChainTrack, LinkHit, LinkPicker, ReachReport,
-    chain_axis, chain_handles, chain_of_script, chain_span, parse_chain_script, run_chain_script,
+    ChainScript, ChainShape, ChainSolver, ChainSpan, ChainSpot, ChainStage, ChainTrack, LinkHit, LinkPicker,
+    ReachReport, chain_axis, chain_handles, chain_of_script, chain_span, parse_chain_script,
+    run_chain_script,
 };
 pub use circle::{Circle, NearCircle};
 pub use clay::Clay;

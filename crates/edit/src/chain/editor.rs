@@ -8,7 +8,7 @@ use super::apply::apply;
 use super::command::ChainCommand;
 use super::document::{ChainDocument, ChainOutcome};
 use crate::Rejected;
-use crate::history::History;
+use crate::history::{Back, History};
 
 /// What can be asked of the editor of a chain. Gestures are as those of [`crate::Request`].
 #[derive(Clone, PartialEq, Debug)]
@@ -123,39 +123,27 @@ impl ChainEditor {
                 self.history.commit(&self.document);
                 Ok(ChainOutcome::default())
             }
-            ChainRequest::Cancel => Ok(self.cancel()),
-            ChainRequest::Undo => Ok(self.undo()),
-            ChainRequest::Redo => Ok(self.redo()),
-        }
-    }
-
-    fn cancel(&mut self) -> ChainOutcome {
-        match self.history.cancel() {
-            Some(step) => {
-                self.show(step.document);
-                told(format!("{} cancelled", step.name))
+            ChainRequest::Cancel => {
+                let back = self.history.cancel();
+                Ok(self.back(back))
             }
-            None => ChainOutcome::default(),
+            ChainRequest::Undo => {
+                let back = self.history.undo(&self.document);
+                Ok(self.back(back))
+            }
+            ChainRequest::Redo => {
+                let back = self.history.redo(&self.document);
+                Ok(self.back(back))
+            }
         }
     }
 
-    fn undo(&mut self) -> ChainOutcome {
-        if self.in_gesture() {
-            return self.cancel();
+    /// Shows what the history gives back.
+    fn back(&mut self, back: Back<ChainDocument>) -> ChainOutcome {
+        if let Some(document) = back.document {
+            self.show(document);
         }
-        let Some(step) = self.history.undo(&self.document) else {
-            return told("Nothing to undo".to_owned());
-        };
-        self.show(step.document);
-        told(format!("Undid: {}", step.name))
-    }
-
-    fn redo(&mut self) -> ChainOutcome {
-        let Some(step) = self.history.redo(&self.document) else {
-            return told("Nothing to redo".to_owned());
-        };
-        self.show(step.document);
-        told(format!("Redid: {}", step.name))
+        told(back.message)
     }
 
     fn show(&mut self, document: ChainDocument) {

@@ -19,8 +19,8 @@ impl Outline {
         let count = corners.len();
         let at = |i: usize| DVec2::new(corners[i % count][0], corners[i % count][1]);
         let mut points = Vec::new();
-        for i in 0..count {
-            let (corner, radius) = (at(i), corners[i][2]);
+        for (i, [_, _, radius]) in corners.iter().enumerate() {
+            let (corner, radius) = (at(i), *radius);
             let [back, on] = [at(i + count - 1) - corner, at(i + 1) - corner];
             let (u, v) = (back.normalize(), on.normalize());
             let half = 0.5 * u.angle_to(v).abs();
