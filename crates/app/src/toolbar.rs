@@ -87,7 +87,11 @@ fn gap(ui: &mut Ui) {
 /// What an action does, with its keys.
 fn tip(on: &dyn Acting, action: Action) -> String {
     let keys = on.keymap().all_shown(action);
-    if keys.is_empty() { on.explained(action).to_owned() } else { format!("{} ({keys})", on.explained(action)) }
+    if keys.is_empty() {
+        on.explained(action).to_owned()
+    } else {
+        format!("{} ({keys})", on.explained(action))
+    }
 }
 
 fn button(ui: &mut Ui, on: &dyn Acting, action: Action, enabled: bool, words: &str) -> Response {

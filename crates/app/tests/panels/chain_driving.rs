@@ -116,6 +116,25 @@ fn up_and_down_drive_until_the_range_ends_and_a_press_is_one_step() {
 }
 
 #[test]
+fn a_key_that_goes_down_and_up_between_two_frames_is_not_lost() {
+    let mut hand = on_joint(EXCAVATOR, 1, 10);
+    let modifiers = Modifiers::NONE;
+    let both = [true, false].map(|pressed| Event::Key {
+        key: Key::ArrowUp,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers,
+    });
+    hand.input_mut().events.extend(both);
+    hand.step();
+    rest(&mut hand);
+    let nudged = value(&hand, "boom");
+    assert!(nudged > 0.1 && nudged < 1.5, "{nudged}");
+    assert_eq!(steps(&hand), 1);
+}
+
+#[test]
 fn at_rest_no_frames_are_asked_for_and_escape_takes_a_drive_back() {
     let mut hand = on_joint(EXCAVATOR, 2, 60);
     key(&mut hand, Key::ArrowUp, true);
