@@ -1,7 +1,7 @@
 //! The panel at the left of a chain's window: a slider a joint, how links reach, and what can be changed of the chain.
 
-use edit::{ChainEditor, ChainNode, ChainReach, ChainRequest};
-use egui::{Align2, Button, FontId, RichText, TextEdit, Ui, pos2, vec2};
+use edit::{ChainCommand, ChainEditor, ChainNode, ChainReach, ChainRequest};
+use egui::{Align2, Button, FontId, Rect, RichText, TextEdit, Ui, UiBuilder, pos2, vec2};
 
 use super::guides::ChainGuides;
 use super::{editing, joints, reaching};
@@ -88,19 +88,23 @@ impl ChainPanel {
             ui,
             |ui| {
                 ui.add_space(4.0);
-                heading(ui, "Reach", None);
+                heading(ui, "Reach", "");
                 inset(ui, |ui| {
                     sheet.reaching(ui, &mut self.reaching);
                     self.guides.show(ui);
                 });
-                heading(ui, "Edit", None);
+                heading(ui, "Edit", "");
                 inset(ui, |ui| sheet.editing(ui, &mut self.new_name));
             },
         );
         egui::CentralPanel::no_frame().show(ui, |ui| {
             let (all, count) = (editor.robot().dofs().count(), editor.robot().links().len());
             let links = if count == 1 { "link" } else { "links" };
-            heading(ui, "Joints", Some(&format!("{} · {count} {links}", editor.robot().name())));
+            let head = heading(ui, "Joints", &format!("{} · {count} {links}", editor.robot().name()));
+            if reset(ui, head) {
+                let command = ChainCommand::Reset { joints: Vec::new() };
+                sheet.asked.requests.push(ChainRequest::Do(command));
+            }
             ui.add_space(2.0);
             if all > MANY {
                 let field = TextEdit::singleline(&mut self.filter)
@@ -116,21 +120,35 @@ impl ChainPanel {
     }
 }
 
-/// The head of a part of the panel.
-fn heading(ui: &mut Ui, title: &str, note: Option<&str>) {
+/// The head of a part of the panel, with a note behind its title; where it is.
+fn heading(ui: &mut Ui, title: &str, note: &str) -> Rect {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), 26.0));
     let (painter, palette) = (ui.painter(), theme::of(ui));
     painter.rect_filled(rect, 3.0, palette.header);
     let at = pos2(rect.left() + 10.0, rect.center().y);
-    let written =
-        painter.text(at, Align2::LEFT_CENTER, title, FontId::proportional(13.5), palette.strong_text);
-    if let Some(note) = note {
-        let room =
-            egui::Rect::from_min_max(pos2(written.right() + 12.0, rect.top()), rect.max - vec2(10.0, 0.0));
-        let painter = painter.with_clip_rect(room.intersect(ui.clip_rect()));
-        let font = FontId::proportional(12.0);
-        painter.text(room.right_center(), Align2::RIGHT_CENTER, note, font, palette.faint_text);
-    }
+    let font = FontId::proportional(13.5);
+    let written = painter.text(at, Align2::LEFT_CENTER, title, font, palette.strong_text);
+    let at = pos2(written.right() + 12.0, rect.center().y + 0.5);
+    // What stands at the right keeps its room.
+    let room = Rect::from_min_max(pos2(at.x, rect.top()), rect.max - vec2(BUTTON, 0.0));
+    let painter = painter.with_clip_rect(room.intersect(ui.clip_rect()));
+    painter.text(at, Align2::LEFT_CENTER, note, FontId::proportional(12.0), palette.faint_text);
+    rect
+}
+
+/// What the button of a heading takes, points.
+const BUTTON: f32 = 62.0;
+
+/// A quiet button at the right of a heading; whether it was clicked.
+fn reset(ui: &mut Ui, heading: Rect) -> bool {
+    let place = UiBuilder::new()
+        .scope_id(egui::Id::unique("reset joints"))
+        .max_rect(heading.shrink2(vec2(6.0, 3.0)))
+        .layout(egui::Layout::right_to_left(egui::Align::Center));
+    let button = Button::new(RichText::new("Reset").size(11.5)).frame_when_inactive(false);
+    let tip = "All joints back to 0, or as near as their ranges let them";
+    let shown = ui.scope_builder(place, |ui| ui.add(button).accessible_name("Reset all joints"));
+    shown.inner.on_hover_text(tip).clicked()
 }
 
 fn inset(ui: &mut Ui, show: impl FnOnce(&mut Ui)) {
@@ -161,8 +179,8 @@ pub fn button(ui: &mut Ui, enabled: bool, words: &str, name: &str, tip: &str) ->
 
 impl Sheet<'_> {
     /// Asks for what a control says: a preview while it is dragged, a step otherwise.
-    pub fn ask(&mut self, change: Option<Change>, command: impl FnOnce(f64) -> Option<edit::ChainCommand>) {
-        let (value, request): (f64, fn(edit::ChainCommand) -> ChainRequest) = match change {
+    pub fn ask(&mut self, change: Option<Change>, command: impl FnOnce(f64) -> Option<ChainCommand>) {
+        let (value, request): (f64, fn(ChainCommand) -> ChainRequest) = match change {
             Some(Change::Preview(value)) => (value, ChainRequest::Preview),
             Some(Change::Set(value)) => (value, ChainRequest::Do),
             None => return,

@@ -246,6 +246,10 @@ fn ranges_are_switched_and_joints_go_back_to_0() {
     press(&mut hand, Modifiers::ALT, Key::R);
     assert_eq!(value(&hand, "boom"), 0.0);
     set(&mut hand, Role::SpinButton, "stick angle", 50.0);
+    click(&mut hand, "Reset all joints");
+    assert_eq!(value(&hand, "stick"), 0.0);
+    undo(&mut hand);
+    assert_eq!(value(&hand, "stick").round(), 50.0);
     click(&mut hand, "Pose");
     click(&mut hand, "All joints to 0");
     assert_eq!((value(&hand, "stick"), value(&hand, "bucket").round()), (0.0, 45.0));
