@@ -214,6 +214,7 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
         let (editor, _) = load::chain_editor(&told.file)?;
         Subject::of_chain(editor.document())
     } else {
+        told.showing.check()?;
         let editor = load::editor(&load::figure(told.figure.as_deref())?, &told.file)?;
         if told.ui {
             return window(told, &editor, viewpoint.view);

@@ -72,6 +72,16 @@ fn place(text: &str) -> Result<Pos2, String> {
 }
 
 impl Showing {
+    /// Whether every joint and every guide is one that a figure may have.
+    ///
+    /// # Errors
+    /// One that isn't, with the nearest that is.
+    pub fn check(&self) -> Result<(), Failure> {
+        let joints = self.select.iter().map(|name| bone(name).map(|_| ()));
+        let guides = self.guides.iter().map(|words| guide(words).map(|_| ()));
+        joints.chain(guides).collect::<Result<(), String>>().map_err(Failure::Usage)
+    }
+
     /// Does in the window what was asked for, apart from the pointer. The window must have been laid out.
     ///
     /// # Errors
