@@ -154,7 +154,19 @@ impl<'a> Weigher<'a> {
         let bend = Bend { closes: &closes, least: 0.080 + 0.45 * inward, most: 0.130 + 0.25 * inward };
         let lower = inward + 0.25 * (-d.z).max(0.0) - 0.2 * d.x.max(0.0);
         let crotch = mix(1.0, ease(0.004, 0.032, p.x / self.scale), ease(-0.170, -0.100, d.y));
-        bend.share(d, -d.y - lower) * crotch
+        let border = bend.share(d, -d.y - lower) * crotch;
+        let inner = self.inner_thigh(p, d);
+        (border.powi(4) + inner.powi(4)).sqrt().sqrt().min(1.0)
+    }
+
+    /// How much of the skin between the legs follows its own leg: all of it a little below the crotch. Legs that spread
+    /// stretch that skin, only legs that cross squeeze it, so it may change over a short way. Forward it falls off
+    /// slowly, as thighs that are raised squeeze it that way.
+    fn inner_thigh(&self, p: DVec3, from_hip: DVec3) -> f64 {
+        let outward = (p.x / self.scale - 0.004).min(0.03);
+        let below = -from_hip.y - 0.098 + outward;
+        let forward = from_hip.z / (-from_hip.y).max(0.09);
+        ramp(2.0 * below / 0.056 - 1.0) * (1.0 - 0.4 * (forward - 0.35).max(0.0)).max(0.0)
     }
 
     fn leg(&self, p: DVec3, share: f64, shares: &mut Shares) {
