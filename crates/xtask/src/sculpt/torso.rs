@@ -248,7 +248,7 @@ fn back(f: &Fit, tone: f64, bone: f64, torso: &mut Part) {
     torso
         .add(0.05, f.egg([0.114, 1.262, -0.036], [0.150, 0.039, 0.040], [0.20, 1.0, -0.03], [1.0, 0.0, 0.0]));
     // Ribs and muscle that the inner side of a hanging arm lies on.
-    torso.swell(0.012, f.ball([0.146, 1.295, 0.0], [0.050, 0.070, 0.085]));
+    torso.swell(0.016, f.ball([0.146, 1.303, 0.0], [0.050, 0.070, 0.085]));
     // Shoulder blade: body, inner border with the furrow beside it, spine, the hollow above that.
     torso.swell(
         tone * 0.008,
