@@ -70,9 +70,9 @@ pub use pose_file::{
 };
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use robot::{
-    ChangeError, DofPart, Inertial, JointLimit, Mimic, NewLink, Paint, Robot, RobotChain, RobotDof, RobotError,
-    RobotGoal, RobotJoint, RobotJointKind, RobotLink, RobotPose, RobotReach, RobotSkin, RootMoves, STAND_IN,
-    STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
+    ChangeError, DofPart, Inertial, JointLimit, Mimic, NewLink, Paint, Robot, RobotChain, RobotDof,
+    RobotError, RobotGoal, RobotJoint, RobotJointKind, RobotLink, RobotPose, RobotReach, RobotSkin,
+    RootMoves, STAND_IN, STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
 };
 pub use size::Size;
 pub use skeleton::{Skeleton, SkeletonError};
