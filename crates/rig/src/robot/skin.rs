@@ -24,6 +24,7 @@ impl RobotSkin {
     pub fn of(robot: &Robot) -> RobotSkin {
         let mut skin = RobotSkin::default();
         let seen = Seen::of(robot);
+        let thickness = if seen == Seen::Bones { robot.bone_radius() } else { 0.0 };
         for (i, link) in robot.links().iter().enumerate() {
             if i % LINKS == 0 {
                 skin.meshes.push(Mesh::default());
@@ -33,7 +34,7 @@ impl RobotSkin {
             let own = match seen {
                 Seen::Visuals => &link.visuals,
                 Seen::Collisions => &link.collisions,
-                Seen::Bones => &robot.bones(i),
+                Seen::Bones => &robot.bones(i, thickness),
             };
             for visual in own.iter().filter(|v| seen == Seen::Visuals || !is_missing(&v.shape)) {
                 add(mesh, &visual.solid(), visual.link_from_visual, (i % LINKS) as u8);
@@ -96,11 +97,14 @@ fn is_missing(shape: &Shape) -> bool {
 }
 
 impl Robot {
-    /// Rods from a link's origin to the joints that it carries, and a ball where it begins.
-    fn bones(&self, link: usize) -> Vec<Visual> {
+    /// How thick the rods are of a robot that shows nothing else, metres.
+    fn bone_radius(&self) -> f64 {
         let far = |f: &Frame| f.position.length();
-        let size = self.frames(&self.rest()).iter().map(far).fold(0.1, f64::max);
-        let radius = 0.02 * size;
+        0.02 * self.frames(&self.rest()).iter().map(far).fold(0.1, f64::max)
+    }
+
+    /// Rods of that radius from a link's origin to the joints that it carries, and a ball where it begins.
+    fn bones(&self, link: usize, radius: f64) -> Vec<Visual> {
         let visual = |at: DVec3, toward: DVec3, shape| Visual {
             name: None,
             link_from_visual: Frame::new(
