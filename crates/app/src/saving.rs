@@ -63,11 +63,20 @@ pub struct Saving {
 }
 
 impl Saving {
-    /// Begins to write what a view shows, without marks, as was chosen in the dialog.
+    /// Begins to write what a session's view shows, without marks, as was chosen in the dialog: what is to be told.
     ///
     /// # Errors
-    /// An order that can't be carried out: what is wrong with it.
-    pub fn begin(ctx: &Context, path: &Path, seen: Seen, choices: &Choices) -> Result<Saving, Failure> {
+    /// Pictures of that session are still being made; an order that can't be carried out: what is wrong with it.
+    pub fn begin(
+        of: &mut Option<Saving>,
+        ctx: &Context,
+        path: &Path,
+        seen: Seen,
+        choices: &Choices,
+    ) -> Result<String, Failure> {
+        if of.is_some() {
+            return Err(Failure::Usage("another picture is still being saved".to_owned()));
+        }
         let order = seen.order(path, choices)?;
         let (work, (tell, news)) = (Work::default(), channel());
         let [width, height] = order.size;
@@ -83,7 +92,8 @@ impl Saving {
             let _ = tell.send(made);
             ctx.request_repaint();
         });
-        Ok(Saving { work, news, thread: Some(thread), path: path.to_owned(), done })
+        *of = Some(Saving { work, news, thread: Some(thread), path: path.to_owned(), done });
+        Ok(format!("Saving {}", path.display()))
     }
 
     /// Shows how far the pictures of a session are, stops them when asked; what is to be told once they are done.

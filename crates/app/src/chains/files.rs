@@ -155,31 +155,27 @@ impl ChainSession {
 
     /// Begins to write what the view shows, without marks, as was chosen in the dialog.
     fn save_picture(&mut self, ctx: &Context, path: &Path) {
-        if self.saving.is_some() {
-            self.tell(Err(Failure::Usage("another picture is still being saved".to_owned())));
-            return;
-        }
         let seen = Seen {
             subject: Subject::of_chain(self.editor.document()),
             camera: self.picture.camera,
             finish: self.settings.finish,
             file: self.path.as_deref(),
         };
-        match Saving::begin(ctx, path, seen, &self.settings.picture) {
-            Ok(saving) => {
-                self.say(format!("Saving {}", path.display()));
-                self.saving = Some(saving);
-            }
+        let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture);
+        self.told(begun);
+    }
+
+    fn told(&mut self, words: Result<String, Failure>) {
+        match words {
+            Ok(words) => self.say(words),
             Err(failure) => self.tell(Err(failure)),
         }
     }
 
     /// Shows how far the pictures are, stops them when asked, and tells when they are done.
     pub(super) fn show_saving(&mut self, ui: &Ui) {
-        match Saving::show(&mut self.saving, ui) {
-            Some(Ok(words)) => self.say(words),
-            Some(Err(failure)) => self.tell(Err(failure)),
-            None => {}
+        if let Some(words) = Saving::show(&mut self.saving, ui) {
+            self.told(words);
         }
     }
 

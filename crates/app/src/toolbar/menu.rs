@@ -8,8 +8,8 @@ use crate::library::chains::CHAINS;
 use crate::session::MANNEQUIN;
 use crate::{sign, theme};
 
-/// A menu: its name and what is in it.
-pub struct Menu(&'static str, &'static [Entry]);
+/// A menu: its name and what is in it, in blocks, some of which stand in both kinds of window.
+pub struct Menu(&'static str, &'static [&'static [Entry]]);
 
 /// One entry of a menu.
 enum Entry {
@@ -59,7 +59,8 @@ const EDIT: &[Entry] = &[
     Do(Action::Settings),
 ];
 
-const VIEW: &[Entry] = &[
+/// From where, and how near.
+const SEEN_FROM: &[Entry] = &[
     Title("Seen from"),
     Do(Action::Front),
     Do(Action::Back),
@@ -74,16 +75,22 @@ const VIEW: &[Entry] = &[
     Do(Action::FrameSelection),
     Do(Action::FrameAll),
     Line,
-    Title("Look of the figure"),
+];
+
+const LOOKS: &[Entry] = &[
     Do(Action::StudioLook),
     Do(Action::ClayLook),
     Do(Action::MatcapLook),
     Do(Action::FlatLook),
     Do(Action::LineLook),
-    Do(Action::NextLook),
-    Do(Action::JointPlanes),
-    Do(Action::AmbientOcclusion),
-    Line,
+];
+
+const THEME: &[Entry] =
+    &[Line, Do(Action::Theme), Do(Action::LargerUi), Do(Action::SmallerUi), Do(Action::ResetUi)];
+
+const FINISH: &[Entry] = &[Do(Action::NextLook), Do(Action::JointPlanes), Do(Action::AmbientOcclusion), Line];
+
+const FIGURE_VIEWS: &[Entry] = &[
     Do(Action::LookThroughPictureCamera),
     Do(Action::SetPictureCamera),
     Line,
@@ -91,11 +98,6 @@ const VIEW: &[Entry] = &[
     Do(Action::Marks),
     Do(Action::Panel),
     Do(Action::Library),
-    Line,
-    Do(Action::Theme),
-    Do(Action::LargerUi),
-    Do(Action::SmallerUi),
-    Do(Action::ResetUi),
 ];
 
 const POSE: &[Entry] = &[
@@ -114,13 +116,18 @@ const POSE: &[Entry] = &[
 ];
 
 /// The menus of a figure's window.
-pub const FIGURE: &[Menu] = &[Menu("File", FILE), Menu("Edit", EDIT), Menu("View", VIEW), Menu("Pose", POSE)];
+pub const FIGURE: &[Menu] = &[
+    Menu("File", &[FILE]),
+    Menu("Edit", &[EDIT]),
+    Menu("View", &[SEEN_FROM, &[Title("Look of the figure")], LOOKS, FINISH, FIGURE_VIEWS, THEME]),
+    Menu("Pose", &[POSE]),
+];
 
 /// The menus of a chain's window.
 pub const CHAIN: &[Menu] = &[
     Menu(
         "File",
-        &[
+        &[&[
             Do(Action::Open),
             Line,
             Do(Action::Save),
@@ -134,11 +141,11 @@ pub const CHAIN: &[Menu] = &[
             Mannequin,
             Line,
             Do(Action::Quit),
-        ],
+        ]],
     ),
     Menu(
         "Edit",
-        &[
+        &[&[
             Do(Action::Undo),
             Do(Action::Redo),
             Line,
@@ -149,42 +156,19 @@ pub const CHAIN: &[Menu] = &[
             Do(Action::PreviousJoint),
             Line,
             Do(Action::Settings),
-        ],
+        ]],
     ),
     Menu(
         "View",
         &[
-            Title("Seen from"),
-            Do(Action::Front),
-            Do(Action::Back),
-            Do(Action::Left),
-            Do(Action::Right),
-            Do(Action::Top),
-            Do(Action::Bottom),
-            Do(Action::ThreeQuarter),
-            Do(Action::Opposite),
-            Line,
-            Do(Action::Projection),
-            Do(Action::FrameSelection),
-            Do(Action::FrameAll),
-            Line,
-            Title("Look"),
-            Do(Action::StudioLook),
-            Do(Action::ClayLook),
-            Do(Action::MatcapLook),
-            Do(Action::FlatLook),
-            Do(Action::LineLook),
-            Do(Action::AmbientOcclusion),
-            Line,
-            Do(Action::Panel),
-            Line,
-            Do(Action::Theme),
-            Do(Action::LargerUi),
-            Do(Action::SmallerUi),
-            Do(Action::ResetUi),
+            SEEN_FROM,
+            &[Title("Look")],
+            LOOKS,
+            &[Do(Action::AmbientOcclusion), Line, Do(Action::Panel)],
+            THEME,
         ],
     ),
-    Menu("Pose", &[Do(Action::ClearRotation), Do(Action::Reset), Line, Do(Action::Ranges)]),
+    Menu("Pose", &[&[Do(Action::ClearRotation), Do(Action::Reset), Line, Do(Action::Ranges)]]),
 ];
 
 const WIDTH: f32 = 250.0;
@@ -198,7 +182,7 @@ pub fn show(ui: &mut Ui, on: &dyn Acting, menus: &[Menu], asked: &mut Vec<Wish>)
             let room = ui.ctx().content_rect().height() - 80.0;
             let scroll = egui::ScrollArea::vertical().max_height(room).min_scrolled_height(room);
             scroll.show(ui, |ui| {
-                for entry in *entries {
+                for entry in entries.iter().copied().flatten() {
                     show_entry(ui, on, entry, asked);
                 }
             });
