@@ -1,0 +1,21 @@
+//! Animation: clips, blend trees, ground, and feet placed on it. No disk, no clock: time is handed in.
+
+mod clip;
+mod fitted;
+mod ground;
+mod placement;
+mod sample;
+mod steering;
+mod track;
+mod travel;
+mod walker;
+
+pub use clip::Clip;
+pub use fitted::{FitError, FittedClip};
+pub use ground::{Ground, GroundPoint};
+pub use placement::{FeetState, FootView, PlacementSettings};
+pub use sample::{Bearing, Sample};
+pub use steering::{Parameter, Steering};
+pub use track::{Key, Mode, Track};
+pub use travel::Travel;
+pub use walker::Walker;
