@@ -3,6 +3,7 @@
 mod clip;
 mod fitted;
 mod ground;
+mod leg;
 mod placement;
 mod sample;
 mod soles;
@@ -14,6 +15,7 @@ mod walker;
 pub use clip::Clip;
 pub use fitted::{FitError, FittedClip};
 pub use ground::{Ground, GroundPoint};
+pub use leg::{Bend, FootGoal, Leg, LegMiss, Legs};
 pub use placement::{FeetState, FootView, PlacementSettings};
 pub use sample::{Bearing, Sample};
 pub use soles::{Sole, Soles};

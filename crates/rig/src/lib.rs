@@ -57,7 +57,7 @@ pub use gesture_error::GestureError;
 pub use joint::{Angles, Articulation, Dof, Hinge, Joint};
 pub use kin::Frame;
 pub use limb::{Limb, LimbParts};
-pub use limb_rig::LimbRigs;
+pub use limb_rig::{LimbRig, LimbRigs};
 pub use lock::Locks;
 pub use mechanics::{MECHANICS_TOLERANCE_M, Mechanics, reach_with, turn_with};
 pub use mesh::Mesh;

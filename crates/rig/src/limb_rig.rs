@@ -11,9 +11,12 @@ use crate::{Articulation, Bone, Contact, Dof, Figure, Frames, Joint, Limb, Pose,
 ///
 /// A right limb is solved as the left limb of the figure's mirror image.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct LimbRig {
+pub struct LimbRig {
+    /// Which limb.
     pub limb: Limb,
+    /// Its closed form, in the limb frame.
     pub kin: kin::Limb,
+    /// The ranges of root and hinge, limb axes, radians.
     pub ranges: LimbRanges,
     /// What carries the root joint.
     pub base: Bone,
@@ -52,7 +55,8 @@ impl LimbRigs {
         self.swing_bases[limb.index()]
     }
 
-    pub(crate) fn get(&self, limb: Limb) -> Option<&LimbRig> {
+    /// A limb made ready; `None` if the figure lacks one of its joints or it has no plane to bend in.
+    pub fn get(&self, limb: Limb) -> Option<&LimbRig> {
         self.rigs[limb.index()].as_ref()
     }
 }
@@ -88,14 +92,29 @@ impl LimbRig {
         self.root_offset + if self.axes.mirrored { DVec3::new(-v.x, v.y, v.z) } else { v }
     }
 
+    /// A difference of points in base axes, in limb axes.
+    pub fn vector_in_limb(&self, vector: DVec3) -> DVec3 {
+        self.axes.point_in_limb(vector)
+    }
+
+    /// The root's turn in base axes, in limb axes.
+    pub fn root_in_limb(&self, base_from_root: DQuat) -> DQuat {
+        self.axes.rotation_in_limb(base_from_root)
+    }
+
+    /// The root's turn in limb axes, in base axes.
+    pub fn root_in_base(&self, root: DQuat) -> DQuat {
+        self.axes.rotation_in_base(root)
+    }
+
     /// The root's rotation, read off the pose's frames.
-    pub fn root_in(&self, frames: &Frames) -> DQuat {
+    pub(crate) fn root_in(&self, frames: &Frames) -> DQuat {
         let base_from_world = frames[self.base].rotation.conjugate();
         self.axes.rotation_in_limb(base_from_world * frames[self.limb.parts().root].rotation)
     }
 
     /// The limb's joints, read off a pose.
-    pub fn state(&self, figure: &Figure, pose: &Pose) -> LimbState {
+    pub(crate) fn state(&self, figure: &Figure, pose: &Pose) -> LimbState {
         let parts = self.limb.parts();
         let root = figure
             .skeleton
@@ -109,7 +128,7 @@ impl LimbRig {
 
     /// Writes the limb's joints into a pose: root and hinge, nothing else. An angle that comes out as it
     /// was, give or take the rounding, keeps its bits.
-    pub fn write(&self, figure: &Figure, pose: &mut Pose, state: &LimbState) {
+    pub(crate) fn write(&self, figure: &Figure, pose: &mut Pose, state: &LimbState) {
         let parts = self.limb.parts();
         if let Some(Articulation::Ball { ball, .. }) =
             figure.skeleton.joint(parts.root).map(|j| &j.articulation)
@@ -123,7 +142,7 @@ impl LimbRig {
     }
 
     /// A point of a bone of the limb, at or beyond the hinge, in the hinge's frame and limb axes.
-    pub fn in_hinge(&self, figure: &Figure, pose: &Pose, bone: Bone, at: DVec3) -> DVec3 {
+    pub(crate) fn in_hinge(&self, figure: &Figure, pose: &Pose, bone: Bone, at: DVec3) -> DVec3 {
         let hinge = self.limb.parts().hinge;
         let (mut bone, mut point) = (bone, at);
         while bone != hinge {
@@ -137,7 +156,7 @@ impl LimbRig {
 
     /// The point about which the limb elevates: its articulator, or the end's joint where the end is
     /// planted and carries the articulator.
-    pub fn about(&self, figure: &Figure, pose: &Pose) -> DVec3 {
+    pub(crate) fn about(&self, figure: &Figure, pose: &Pose) -> DVec3 {
         let at = figure.articulator(pose, self.limb);
         let parts = self.limb.parts();
         let planted = matches!(pose.limb(self.limb).contact, Contact::Planted { .. });
@@ -150,20 +169,20 @@ impl LimbRig {
 
     /// The elevation as reported, degrees: for arms 0 with the elbow lowest, for legs 0 with the knee
     /// foremost; + moves the hinge outward.
-    pub fn reported(&self, elevation: f64) -> f64 {
+    pub(crate) fn reported(&self, elevation: f64) -> f64 {
         let turned = if self.limb.is_arm() { elevation - std::f64::consts::PI } else { -elevation };
         // Adding zero makes a plain zero of a negative one.
         wrapped(turned).to_degrees() + 0.0
     }
 
     /// The elevation of a reported one, radians.
-    pub fn internal(&self, degrees: f64) -> f64 {
+    pub(crate) fn internal(&self, degrees: f64) -> f64 {
         let angle = degrees.to_radians();
         if self.limb.is_arm() { wrapped(angle + std::f64::consts::PI) } else { wrapped(-angle) }
     }
 
     /// The feasible interval around the present elevation, as reported.
-    pub fn reported_range(&self, goal: &LimbGoal, feasible: &Elevations) -> Option<[f64; 2]> {
+    pub(crate) fn reported_range(&self, goal: &LimbGoal, feasible: &Elevations) -> Option<[f64; 2]> {
         let full = Some([-180.0, 180.0]);
         let around = feasible.around(goal.elevation)?;
         if around.1 - around.0 >= std::f64::consts::TAU - 1e-12 {

@@ -1,0 +1,271 @@
+//! One leg of a figure: where it holds the foot, and the joints that hold the foot where it should be.
+
+use glam::{DQuat, DVec3};
+use kin::{Ball, Branch, Interval, LimbGoal, LimbState, softened};
+use rig::{Angles, Articulation, Bone, Dof, Figure, Frame, Joint, Limb, LimbRig};
+
+/// How far the knee may swing about the line from hip to ankle to keep the ranges, radians.
+const WINDOW: f64 = std::f64::consts::FRAC_PI_6;
+
+/// Both legs of a figure, made ready to solve once.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Legs {
+    /// Left, right.
+    pub sides: [Leg; 2],
+}
+
+impl Legs {
+    /// The legs of a figure; `None` if it lacks a hip, a knee or a foot of either, or a leg has no plane to bend in.
+    pub fn of(figure: &Figure) -> Option<Legs> {
+        Some(Legs { sides: [Leg::of(figure, Limb::LeftLeg)?, Leg::of(figure, Limb::RightLeg)?] })
+    }
+}
+
+/// One leg, made ready to solve: hip, knee and ankle.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Leg {
+    rig: LimbRig,
+    hip: Ball,
+    knee: Joint,
+    foot: Joint,
+    toes: Option<Joint>,
+    /// The ankle in the knee's frame and limb axes, the knee having no other angle than its flexion.
+    ankle_in_knee: DVec3,
+    /// The farthest from the hip that the knee's range lets the ankle be, metres.
+    full: f64,
+}
+
+/// How a leg bends: what a solve keeps of it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Bend {
+    /// Turn of the knee about the line from hip to ankle, radians, as in [`kin::LimbGoal`].
+    pub elevation: f64,
+    /// From hip to ankle, metres.
+    pub distance: f64,
+    branch: Branch,
+    from: LimbState,
+}
+
+/// Where a foot should be, in figure space.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FootGoal {
+    /// The ankle's joint, metres.
+    pub ankle: DVec3,
+    /// `figure_from_foot`.
+    pub rotation: DQuat,
+}
+
+/// What kept a leg from its goal.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct LegMiss {
+    /// From the ankle to where it should be, metres: soft reach and ranges. Infinite where numbers were no numbers
+    /// and the leg stayed as it was.
+    pub ankle_m: f64,
+    /// How far the foot is turned from its goal, degrees.
+    pub foot_degrees: f64,
+    /// Whether hip or knee stopped at a range, or the knee swung aside to keep one.
+    pub leg_stopped: bool,
+    /// Flexion, abduction and twist of the ankle: how far the goal lies beyond each range, degrees, signed.
+    pub foot_beyond: Angles,
+}
+
+impl Leg {
+    fn of(figure: &Figure, limb: Limb) -> Option<Leg> {
+        let parts = limb.parts();
+        let rig = *figure.limbs.get(limb)?;
+        let joint = |bone: Bone| figure.skeleton.joint(bone).cloned();
+        let (hip, knee, foot) = (joint(parts.root)?, joint(parts.hinge)?, joint(parts.end)?);
+        let Articulation::Ball { ball, .. } = hip.articulation else { return None };
+        if rig.base != Bone::Hips || foot.carrier != Some(parts.hinge) || knee.carrier != Some(parts.root) {
+            return None;
+        }
+        let toes = joint(if limb == Limb::LeftLeg { Bone::LeftToes } else { Bone::RightToes });
+        let ankle_in_knee = rig.vector_in_limb(foot.offset);
+        let full = rig.kin.reach_in(ankle_in_knee, rig.ranges.hinge).1;
+        Some(Leg { rig, hip: ball, knee, foot, toes, ankle_in_knee, full })
+    }
+
+    /// Which limb it is.
+    pub fn limb(&self) -> Limb {
+        self.rig.limb
+    }
+
+    /// The toes' bone, whether or not the figure has it.
+    pub fn toes_bone(&self) -> Bone {
+        if self.rig.limb == Limb::LeftLeg { Bone::LeftToes } else { Bone::RightToes }
+    }
+
+    /// The toes' joint, if the figure has one.
+    pub fn toes(&self) -> Option<&Joint> {
+        self.toes.as_ref()
+    }
+
+    /// The ankle's joint.
+    pub fn foot(&self) -> &Joint {
+        &self.foot
+    }
+
+    /// The farthest from the hip that the ankle can be, metres.
+    pub fn full_reach(&self) -> f64 {
+        self.full
+    }
+
+    /// The hip's joint in figure space, given the frame of the hips.
+    pub fn hip(&self, figure_from_hips: Frame) -> DVec3 {
+        figure_from_hips.point(self.rig.point_in_base(DVec3::ZERO))
+    }
+
+    /// The knee's joint in figure space.
+    pub fn knee(&self, figure_from_hips: Frame, angles: &[Angles; Bone::COUNT]) -> DVec3 {
+        let root = self.hip_turn(angles[self.rig.limb.parts().root.index()]);
+        self.hip(figure_from_hips) + figure_from_hips.rotation * (root * self.knee.offset)
+    }
+
+    /// Where the joints hold the foot: `figure_from_foot`, at the ankle's joint.
+    pub fn ankle_and_foot(&self, figure_from_hips: Frame, angles: &[Angles; Bone::COUNT]) -> Frame {
+        let parts = self.rig.limb.parts();
+        let root = self.hip_turn(angles[parts.root.index()]);
+        let hip = figure_from_hips.then(Frame::new(root, self.rig.point_in_base(DVec3::ZERO)));
+        let shank = hip.then(Frame::new(self.knee.rotation(angles[parts.hinge.index()]), self.knee.offset));
+        shank.then(Frame::new(self.foot.rotation(angles[parts.end.index()]), self.foot.offset))
+    }
+
+    /// How the leg bends; a leg whose angles are no numbers bends as at rest.
+    pub fn bend(&self, angles: &[Angles; Bone::COUNT]) -> Bend {
+        let parts = self.rig.limb.parts();
+        let root = self.rig.root_in_limb(self.hip_turn(angles[parts.root.index()]));
+        let from = LimbState { root, hinge: angles[parts.hinge.index()].flexion.to_radians() };
+        let in_knee = self.in_knee(angles[parts.hinge.index()]);
+        let rest = LimbState { root: DQuat::IDENTITY, hinge: 0.0 };
+        let read = |state: LimbState, at: DVec3| self.rig.kin.recover(at, &state).map(|goal| (goal, state));
+        match read(from, in_knee).or_else(|_| read(rest, self.ankle_in_knee)) {
+            Ok((goal, from)) => {
+                let distance = goal.target.length();
+                Bend { elevation: goal.elevation, distance, branch: goal.branch, from }
+            }
+            Err(_) => Bend { elevation: 0.0, distance: self.full, branch: Branch::Plus, from: rest },
+        }
+    }
+
+    /// Holds the foot at its goal: writes the angles of hip, knee and ankle.
+    ///
+    /// The knee keeps the bend's elevation, and gives way by up to 30 degrees to keep the ranges; the ankle's place
+    /// wins over the foot's rotation, whose angles stop at their ranges. Within `softness_m` of full stretch the
+    /// distance eases toward it, but not short of the bend's own distance, so that solving what was read changes
+    /// nothing. Joints that were out of range may stay there. Numbers that are none leave the leg as it was.
+    pub fn solve(
+        &self,
+        figure_from_hips: Frame,
+        goal: &FootGoal,
+        bend: &Bend,
+        softness_m: f64,
+        angles: &mut [Angles; Bone::COUNT],
+    ) -> LegMiss {
+        let parts = self.rig.limb.parts();
+        let shin = angles[parts.hinge.index()];
+        let in_knee = self.in_knee(shin);
+        let wanted = self.rig.target_in_limb(figure_from_hips.inverse().point(goal.ankle));
+        let target = self.soft(wanted, bend.distance, softness_m);
+        let asked = LimbGoal { target, elevation: bend.elevation, branch: bend.branch };
+        let Some((state, stopped)) = self.reached(in_knee, &asked, bend) else {
+            return LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() };
+        };
+        let base_from_root = self.rig.root_in_base(state.root);
+        let [flexion, abduction, twist] = self.hip.angles(base_from_root).map(f64::to_degrees);
+        let knee = state.hinge.to_degrees();
+        if !(flexion + abduction + twist + knee).is_finite() {
+            return LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() };
+        }
+        write(&mut angles[parts.root.index()], Angles { flexion, abduction, twist });
+        write(&mut angles[parts.hinge.index()], Angles { flexion: knee, ..shin });
+        let shank =
+            figure_from_hips.rotation * base_from_root * self.knee.rotation(Angles { flexion: knee, ..shin });
+        let reached = self.rig.kin.articulator(&state, in_knee);
+        let miss = LegMiss { ankle_m: reached.distance(wanted), leg_stopped: stopped, ..LegMiss::default() };
+        self.turn_foot(shank.conjugate() * goal.rotation, &mut angles[parts.end.index()], miss)
+    }
+
+    /// The joints that hold the ankle at a target, and whether a range changed them.
+    fn reached(&self, in_knee: DVec3, goal: &LimbGoal, bend: &Bend) -> Option<(LimbState, bool)> {
+        let reach = self.rig.kin.reach_within(in_knee, goal, &bend.from, &self.rig.ranges, WINDOW).ok()?;
+        (reach.state.root.is_finite() && reach.state.hinge.is_finite())
+            .then_some((reach.state, reach.limited))
+    }
+
+    /// A target brought nearer to the hip where the leg would snap straight.
+    fn soft(&self, target: DVec3, kept: f64, softness_m: f64) -> DVec3 {
+        let distance = target.length();
+        let softness = softness_m.min(self.full - kept);
+        let eased = if distance > kept { softened(distance, self.full, softness) } else { distance };
+        if eased == distance || !distance.is_finite() { target } else { target * (eased / distance) }
+    }
+
+    /// Turns the foot as far as the ankle goes toward a rotation seen from the shank.
+    fn turn_foot(&self, shank_from_foot: DQuat, foot: &mut Angles, mut miss: LegMiss) -> LegMiss {
+        let Some(wanted) = hinge_angles(&self.foot.articulation, shank_from_foot, *foot) else {
+            return miss;
+        };
+        let mut held = *foot;
+        for dof in Dof::ALL {
+            let range = self.foot.range(dof).unwrap_or(Interval::FREE).reaching(foot.get(dof));
+            let angle = wanted.get(dof);
+            let inside = range.clamp(angle);
+            miss.foot_beyond.set(dof, angle - inside);
+            held.set(dof, inside);
+        }
+        let off = self.foot.rotation(held).conjugate() * shank_from_foot;
+        miss.foot_degrees = (2.0 * DVec3::new(off.x, off.y, off.z).length().atan2(off.w.abs())).to_degrees();
+        write(foot, held);
+        miss
+    }
+
+    fn hip_turn(&self, angles: Angles) -> DQuat {
+        self.hip.rotation(
+            angles.flexion.to_radians(),
+            angles.abduction.to_radians(),
+            angles.twist.to_radians(),
+        )
+    }
+
+    /// The ankle in the knee's frame and limb axes: a knee that twists carries it along.
+    fn in_knee(&self, shin: Angles) -> DVec3 {
+        if shin.abduction == 0.0 && shin.twist == 0.0 {
+            return self.ankle_in_knee;
+        }
+        self.rig.vector_in_limb(self.knee.rotation(Angles { flexion: 0.0, ..shin }) * self.foot.offset)
+    }
+}
+
+/// The angles that turn a joint nearest to a rotation, degrees, ranges aside; `None` if the rotation is no number.
+fn hinge_angles(articulation: &Articulation, rotation: DQuat, was: Angles) -> Option<Angles> {
+    if !rotation.is_finite() || rotation.length_squared() < 0.25 {
+        return None;
+    }
+    let mut angles = was;
+    match articulation {
+        Articulation::Ball { ball, .. } => {
+            for (dof, angle) in Dof::ALL.into_iter().zip(ball.angles(rotation)) {
+                angles.set(dof, angle.to_degrees());
+            }
+        }
+        Articulation::Hinges(hinges) => {
+            let mut rest = rotation;
+            for hinge in hinges {
+                // Square axes: what is left after the outer turn is the inner one.
+                let (_, angle) = kin::swing_twist(rest, hinge.axis);
+                angles.set(hinge.dof, angle.to_degrees());
+                rest = kin::axis_angle(hinge.axis, -angle) * rest;
+            }
+        }
+    }
+    Some(angles)
+}
+
+/// Writes angles, but keeps the bits of those that come out as they were give or take the rounding.
+fn write(angles: &mut Angles, new: Angles) {
+    for dof in Dof::ALL {
+        if (angles.get(dof) - new.get(dof)).abs() > 1e-12 || angles.get(dof).is_nan() {
+            angles.set(dof, new.get(dof));
+        }
+    }
+}
