@@ -70,7 +70,9 @@ fn vs_part(skin: SkinVertex, surface: SurfaceVertex, part: PartVertex) -> PartSu
 fn lit(world: vec3<f32>, n: vec3<f32>) -> f32 {
     // Looking up a little off the surface keeps it from shadowing itself.
     let off = world + n * (scene.ranges.z * 2.5);
-    let at = (scene.shadow_from_world * vec4(off, 1.0)).xyz;
+    var at = (scene.shadow_from_world * vec4(off, 1.0)).xyz;
+    // Ground may lie beyond the map's range, where nothing is cast from.
+    at.z = min(at.z, 1.0);
     let a = 1.5 * scene.ranges.w;
     var sum = textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(-a, -0.4 * a), at.z);
     sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at.xy + vec2(a, 0.4 * a), at.z);
@@ -145,7 +147,7 @@ fn in_studio(in: Surface, n: vec3<f32>, matter: Matter) -> vec3<f32> {
     let sky = 0.5 + 0.5 * n.y;
     let fill = clamp(0.16 + 0.84 * dot(n, scene.fill.xyz), 0.0, 1.0);
     // What is near the ground sees less of the studio.
-    let high = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y + 0.25 * n.y);
+    let high = 0.6 + 0.4 * smoothstep(-0.1, 0.5, in.world.y - scene.light.z + 0.25 * n.y);
     let around = mix(GROUND, SKY, sky) * high + FILL * (fill * fill * scene.fill.w);
     let edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
     let behind = clamp(vec2(dot(n, scene.rim_left.xyz), dot(n, scene.rim_right.xyz)), vec2(0.0), vec2(1.0));
@@ -286,6 +288,54 @@ fn drawing(in: Surface, front: bool) -> vec4<f32> {
     paper = mix(paper, mix(PAPER, encoded(scene.hovered_tint.rgb), 0.75), in.marks.y * scene.hovered_tint.a);
     paper = mix(paper, mix(PAPER, encoded(scene.selected_tint.rgb), 0.85), in.marks.x * scene.selected_tint.a);
     return painted(mix(paper, INK, ink));
+}
+
+// Ground carries the lines of the grid, as ground.wgsl has them on the plane.
+override lined: bool = false;
+
+// Coverage of lines every `spacing`, fading as they crowd.
+fn lines(at: vec2<f32>, pixel: vec2<f32>, spacing: f32) -> vec2<f32> {
+    let off = abs(fract(at / spacing + 0.5) - 0.5) * spacing;
+    let cover = clamp(1.1 - off / pixel, vec2(0.0), vec2(1.0));
+    return cover * (1.0 - smoothstep(vec2(0.1), vec2(0.4), pixel / spacing));
+}
+
+// How much of the ground is there, 1 around the camera's target and 0 from where the grid has faded out.
+fn presence(world: vec3<f32>) -> f32 {
+    let away = length(world.xz - scene.ground.xz) / scene.ground.y;
+    return 1.0 - smoothstep(0.35, 0.98, away);
+}
+
+@fragment
+fn fs_ground(in: Surface) -> @location(0) vec4<f32> {
+    let there = presence(in.world);
+    let pixel = max(fwidth(in.world.xz), vec2(1e-5));
+    let n = normalize(in.normal);
+    let exposed = exposure(in, n);
+    var open = 0.88;
+    if occluded {
+        open = clamp(exposed.x * 1.12, 0.0, 1.0);
+    }
+    let key = clamp(dot(n, scene.key.xyz), 0.0, 1.0) * exposed.y;
+    let light = mix(GROUND, SKY, 0.5 + 0.5 * n.y) * (1.6 * mix(0.35, 1.0, open)) + KEY * (key * mix(0.6, 1.0, open));
+    var c = encoded(tone(in.color * light));
+    if lined {
+        // A line that runs along a riser would cover it whole.
+        let level = vec2(1.0) - n.xz * n.xz;
+        let fine = lines(in.world.xz, pixel, scene.ground.w) * level;
+        let metre = lines(in.world.xz, pixel, scene.ground.w * 10.0) * level;
+        let cover = max(max(fine.x, fine.y) * 0.10, max(metre.x, metre.y) * 0.30);
+        let bright = dot(scene.background_top.rgb + scene.background_bottom.rgb, vec3(1.0 / 6.0)) > 0.5;
+        c = mix(c, select(vec3(0.86, 0.88, 0.91), vec3(0.12, 0.14, 0.17), bright), cover);
+    }
+    return painted(c) * there;
+}
+
+// Ground in a drawing: paper with the survey's lines.
+@fragment
+fn fs_ground_line(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let drawn = drawing(in, front);
+    return painted(mix(PAPER, drawn.rgb, presence(in.world)));
 }
 
 @fragment

@@ -38,7 +38,8 @@ struct Scene {
     silhouette: vec4<f32>,
     // The figures' shadow on the ground: least x, least z, greatest x, greatest z.
     footprint: vec4<f32>,
-    // x: depth of the shadow map, metres; y: opacity of the picture for reference.
+    // x: depth of the shadow map, metres; y: opacity of the picture for reference;
+    // z: height at which the figures stand, metres.
     light: vec4<f32>,
     // Linear; w: strength.
     selected_tint: vec4<f32>,

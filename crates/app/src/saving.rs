@@ -10,7 +10,7 @@ use rig::Camera;
 
 use crate::failure::Failure;
 use crate::finish::Finish;
-use crate::picture::{Choices, Darkroom, Format, Naming, Order, Subject, Work, around, title_of};
+use crate::picture::{Choices, Darkroom, Format, Moment, Naming, Order, Subject, Work, around, title_of};
 
 /// So long the window waits before it looks again how far the work is, seconds.
 const LOOK_AGAIN_SECS: f32 = 0.1;
@@ -38,9 +38,8 @@ impl Seen<'_> {
         }
         let keys = if frames > 1 { numbered(path, "json") } else { path.with_extension("json") };
         let order = Order {
-            subject: self.subject,
             title: self.file.map_or_else(|| "unnamed".to_owned(), title_of),
-            cameras: around(self.camera, frames),
+            moments: Moment::from_all(&self.subject, around(self.camera, frames)),
             size: choices.size,
             passes: vec![choices.pass],
             look: choices.on(self.finish.on(Look::default())),
@@ -80,7 +79,7 @@ impl Saving {
         let order = seen.order(path, choices)?;
         let (work, (tell, news)) = (Work::default(), channel());
         let [width, height] = order.size;
-        let frames = match order.cameras.len() {
+        let frames = match order.moments.len() {
             1 => String::new(),
             frames => format!(" · {frames} frames"),
         };

@@ -9,9 +9,21 @@ pub(crate) fn is_solid(view: &FigureView<'_>) -> bool {
     view.opacity >= 1.0
 }
 
+/// Whether a figure casts a shadow.
+pub(crate) fn casts(view: &FigureView<'_>) -> bool {
+    is_solid(view) && !view.ground
+}
+
+/// Whether some ground takes the place of the plane y = 0.
+pub(crate) fn has_ground(scene: &Scene<'_>) -> bool {
+    scene.figures.iter().any(|view| view.ground)
+}
+
 /// How a pass paints a figure; `None` if figures aren't in it.
 pub(crate) fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint> {
     match scene.pass {
+        Pass::Silhouette | Pass::Parts if view.ground => None,
+        Pass::Color if view.ground => Some(ground_paint(scene, view)),
         Pass::Color => {
             let look = &scene.look;
             let (fragment, parts) = fragment_of(look.style, look.joint_planes);
@@ -21,6 +33,7 @@ pub(crate) fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint
                 shadowed: look.shadow && is_solid(view),
                 marked: !(view.selected.is_empty() && view.hovered.is_empty()),
                 occluded: is_solid(view) && search_of(scene).is_some(),
+                lined: false,
             })
         }
         Pass::Depth => Some(Paint::plain("fs_depth")),
@@ -28,6 +41,16 @@ pub(crate) fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint
         Pass::Silhouette => Some(Paint::plain("fs_silhouette")),
         Pass::Parts => Some(Paint { parts: true, ..Paint::plain("fs_parts") }),
         Pass::OpenPose => None,
+    }
+}
+
+fn ground_paint(scene: &Scene<'_>, view: &FigureView<'_>) -> Paint {
+    let drawn = scene.look.style == Style::Line;
+    Paint {
+        shadowed: scene.look.shadow,
+        occluded: is_solid(view) && search_of(scene).is_some(),
+        lined: scene.look.grid,
+        ..Paint::plain(if drawn { "fs_ground_line" } else { "fs_ground" })
     }
 }
 

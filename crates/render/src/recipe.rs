@@ -59,6 +59,8 @@ pub(crate) struct Paint {
     pub marked: bool,
     /// A survey tells how open and lit it is, or where its lines are.
     pub occluded: bool,
+    /// The lines of the grid lie on it.
+    pub lined: bool,
 }
 
 impl Paint {
@@ -67,7 +69,7 @@ impl Paint {
 
     /// That fragment shader and nothing else.
     pub const fn plain(fragment: &'static str) -> Paint {
-        Paint { fragment, parts: false, shadowed: false, marked: false, occluded: false }
+        Paint { fragment, parts: false, shadowed: false, marked: false, occluded: false, lined: false }
     }
 
     /// Values for figure.wgsl's overrides.
@@ -77,6 +79,7 @@ impl Paint {
             ("marked", self.marked),
             ("occluded", self.occluded),
             ("colored", self.parts),
+            ("lined", self.lined),
         ];
         flags.map(|(name, on)| (name, f64::from(u8::from(on)))).to_vec()
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::figures::Figures;
-use crate::paints::{is_solid, paint_of};
+use crate::paints::{casts, has_ground, is_solid, paint_of};
 use crate::recipe::{Draw, Paint};
 use crate::renderer::Renderer;
 use crate::scene::{FigureView, Msaa, Pass, Scene, Style};
@@ -20,7 +20,7 @@ impl Renderer {
     pub(crate) fn record_shadow(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>) {
         let mut pass = self.depth_pass(encoder, "shadow", &self.shadow.depth, &[]);
         pass.set_bind_group(0, &self.scene_buffer.group, &[]);
-        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| is_solid(v)) {
+        for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| casts(v)) {
             self.draw_skin(&mut pass, Draw::Shadow { two_sided: view.two_sided }, Msaa::One, i, view);
         }
         drop(pass);
@@ -105,7 +105,7 @@ impl Renderer {
         let lines = search_of(scene) == Some(Search::Lines) && scene.figures.iter().any(is_solid);
         let wanted = [
             (Draw::Ink, lines.then_some(soft)),
-            (Draw::Grid, (scene.look.grid && opaque).then_some(soft)),
+            (Draw::Grid, (scene.look.grid && opaque && !has_ground(scene)).then_some(soft)),
             (Draw::Shade { occluded }, self.shades_ground(scene).then_some(soft)),
             (Draw::Image, image.map(|image| &image.group)),
             (Draw::Backdrop, opaque.then_some(soft)),
@@ -122,7 +122,7 @@ impl Renderer {
 
     /// Whether the ground shows a shadow.
     fn shades_ground(&self, scene: &Scene<'_>) -> bool {
-        let above = scene.camera.eye().y > 0.0;
+        let above = scene.camera.eye().y > 0.0 && !has_ground(scene);
         above && scene.look.ground_shadow && scene.look.style != Style::Line && self.casts_shadow(scene)
     }
 

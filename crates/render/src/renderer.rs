@@ -13,7 +13,7 @@ use crate::figures::Figures;
 use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
 use crate::overlay::{self, Layer, Overlay, Stroke};
-use crate::paints::{is_solid, paint_of};
+use crate::paints::{casts, has_ground, is_solid, paint_of};
 use crate::pipelines::Pipelines;
 use crate::recipe::{Draw, Paint};
 use crate::scene::{FigureView, Msaa, Pass, Scene, Style};
@@ -218,24 +218,32 @@ impl Renderer {
 
     pub(crate) fn casts_shadow(&self, scene: &Scene<'_>) -> bool {
         let look = &scene.look;
-        let seen = look.style != Style::Line && (look.style != Style::Matcap || look.ground_shadow);
-        scene.pass == Pass::Color && look.shadow && seen && scene.figures.iter().any(is_solid)
+        let falls = look.ground_shadow || has_ground(scene);
+        let seen = look.style != Style::Line && (look.style != Style::Matcap || falls);
+        scene.pass == Pass::Color && look.shadow && seen && scene.figures.iter().any(casts)
     }
 
     fn light(&self, scene: &Scene<'_>) -> Light {
-        let solid: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(is_solid).collect();
-        let casters: Vec<Vec3> = self.corners(&solid).collect();
-        let casts = self.casts_shadow(scene);
-        Light::fit(scene.look.key_light, &casters, casts, !scene.look.ambient_occlusion)
+        let wanted = self.casts_shadow(scene);
+        let casting: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(casts).collect();
+        let corners: Vec<Vec3> = self.corners(&casting).collect();
+        Light::fit(scene.look.key_light, &corners, wanted, !scene.look.ambient_occlusion)
     }
 
     fn uniform(&self, scene: &Scene<'_>, tile: Tile, light: &Light) -> SceneUniform {
+        let chosen = |wanted: &dyn Fn(&FigureView<'_>) -> bool| -> Vec<FigureView<'_>> {
+            scene.figures.iter().copied().filter(|view| wanted(view)).collect()
+        };
         let view = scene.camera.view_from_world();
-        let depths = self.corners(scene.figures).map(|c| -view.transform_point3(c).z);
+        let bodies = chosen(&|view| !view.ground);
+        // A picture of depth tells figures apart; a survey finds the ground as well.
+        let ranged = if scene.pass == Pass::Depth { &bodies } else { scene.figures };
+        let depths = self.corners(ranged).map(|c| -view.transform_point3(c).z);
         let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
-        let solid = scene.figures.iter().filter(|view| is_solid(view));
-        let solid: Vec<FigureView<'_>> = solid.copied().collect();
-        SceneUniform::of(scene, tile, light, range).with_silhouette(self.corners(&solid))
+        let lowest = self.corners(&bodies).map(|c| c.y).fold(f32::INFINITY, f32::min);
+        let floor = if has_ground(scene) && lowest.is_finite() { lowest } else { 0.0 };
+        let solid = chosen(&is_solid);
+        SceneUniform::of(scene, tile, light, range).with_silhouette(self.corners(&solid)).on_floor(floor)
     }
 
     /// Writes all that changed since the last picture.
@@ -255,7 +263,7 @@ impl Renderer {
         light.shadow_from_world.to_cols_array().map(f32::to_bits).hash(&mut hasher);
         light.footprint.map(f32::to_bits).hash(&mut hasher);
         light.size.hash(&mut hasher);
-        for view in scene.figures.iter().filter(|view| is_solid(view)) {
+        for view in scene.figures.iter().filter(|view| casts(view)) {
             (view.skin, view.two_sided).hash(&mut hasher);
             let unmarked = FigureView { selected: &[], hovered: &[], ..*view };
             bytemuck::bytes_of(&FigureUniform::of(&unmarked)).hash(&mut hasher);

@@ -60,6 +60,10 @@ pub struct FigureView<'a> {
     pub opacity: f32,
     /// Draws the inside of open skins as well; costs up to twice the time.
     pub two_sided: bool,
+    /// Whether it is ground under the figures: it takes the place of the ground y = 0 with its grid and its shadow, is lit in
+    /// its own colours in every style, carries the lines of the grid, fades out far from the camera's target, catches
+    /// shadows and casts none. It is in no silhouette and is no part of a body.
+    pub ground: bool,
 }
 
 impl<'a> FigureView<'a> {
@@ -73,6 +77,7 @@ impl<'a> FigureView<'a> {
             hovered: &[],
             opacity: 1.0,
             two_sided: false,
+            ground: false,
         }
     }
 }

@@ -151,6 +151,12 @@ impl SceneUniform {
         self
     }
 
+    /// The same with the figures standing at that height.
+    pub fn on_floor(mut self, height_m: f32) -> SceneUniform {
+        self.light[2] = height_m;
+        self
+    }
+
     /// The same but for what doesn't show in a survey.
     pub fn without_tints(mut self) -> SceneUniform {
         self.selected_tint = [0.0; 4];

@@ -6,7 +6,7 @@ use std::sync::{LazyLock, Mutex};
 use glam::{DVec3, Mat4, Vec2, Vec3};
 use render::{
     Ball, Blit, DrawError, Fan, FigureView, Gpu, Image, Keypoints, Layer, Line, Look, Marker, Msaa, Overlay,
-    Pass, Renderer, Scene, Shape,
+    Pass, Renderer, Scene, Shape, Style,
 };
 use rig::{Bone, Camera, Palette, Projection, View};
 
@@ -442,6 +442,45 @@ fn the_figure_casts_a_shadow_and_a_ghost_does_not() {
     let middle = camera.pixel_of(CENTER, pixels()).unwrap();
     let (solid, ghost) = (at(&with, middle)[0], at(&ghost, middle)[0]);
     assert!(solid > ghost + 10, "a ghost lets the background through: {solid} {ghost}");
+}
+
+#[test]
+fn ground_takes_the_plane_s_place_and_catches_the_shadow_where_it_lies() {
+    let mut renderer = renderer_of(&body::ball(CENTER, RADIUS));
+    let below = 0.7_f32;
+    let [corner, across, along] =
+        [Vec3::new(-8.0, -below, -8.0), Vec3::new(0.0, 0.0, 16.0), Vec3::new(16.0, 0.0, 0.0)];
+    renderer.set_mesh(1, &flat_wall(corner, across, along)).unwrap();
+    let key_light = Vec3::new(0.6, 1.0, -0.4);
+    let camera = Camera { pitch_rad: 0.5, distance: 7.0, target: CENTER, ..Camera::default() };
+    let look = Look { key_light, grid: false, ..Look::default() };
+    // Straight away from the light: on the ground, and where the plane y = 0 would be.
+    let falls = |height: f32| CENTER - key_light * (CENTER.y - height);
+    let mut shot = |style, ambient_occlusion, grounded, pass| {
+        let ground = FigureView { skin: 1, ground: true, ..FigureView::new(&Palette::REST) };
+        let figures = [FigureView::new(&Palette::REST), ground];
+        let figures = if grounded { &figures[..] } else { &figures[..1] };
+        let look = Look { style, ambient_occlusion, ..look };
+        draw(&mut renderer, &Scene { look, pass, ..Scene::new(figures, camera, SIZE) })
+    };
+    let light = |image: &Image, place| i32::from(at(image, camera.pixel_of(place, pixels()).unwrap())[1]);
+    let beside = falls(-below) + Vec3::new(1.6, 0.0, 0.0);
+    for style in [Style::Studio, Style::Clay, Style::Matcap, Style::Flat] {
+        for ambient_occlusion in [true, false] {
+            let image = shot(style, ambient_occlusion, true, Pass::Color);
+            let (dark, bright) = (light(&image, falls(-below)), light(&image, beside));
+            assert!(dark + 25 < bright, "{style:?} {ambient_occlusion}: {dark} {bright}");
+            let plane = light(&image, falls(0.0));
+            assert!((plane - bright).abs() < 12, "no second shadow: {plane} {bright}");
+        }
+    }
+    for pass in [Pass::Silhouette, Pass::Parts, Pass::Depth] {
+        let with = shot(Style::Studio, true, true, pass);
+        let alone = shot(Style::Studio, true, false, pass);
+        let middle = camera.pixel_of(CENTER, pixels()).unwrap();
+        assert_eq!(at(&with, middle), at(&alone, middle), "{pass:?}");
+        assert!(pass == Pass::Depth || with == alone, "{pass:?} is of figures alone");
+    }
 }
 
 #[test]

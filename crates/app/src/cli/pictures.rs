@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::finish::Finish;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable, write_png,
+    Darkroom, Facts, Format, Moment, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable, write_png,
 };
 use crate::window::{Showing, chain_ui_picture, ui_picture};
 
@@ -233,8 +233,7 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
     };
     let order = Order {
         title: title(told, &subject)?,
-        subject,
-        cameras,
+        moments: Moment::from_all(&subject, cameras),
         size: told.size,
         passes: told.pass.iter().map(|pass| Pass::from(*pass)).collect(),
         look,

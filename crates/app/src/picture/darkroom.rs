@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use render::{FigureView, Gpu, GpuError, Image, Keypoints, Pass, Renderer, Scene};
-use rig::{Bone, Bounds, Camera, Evaluation, Figure, Palette, skin_positions};
+use rig::{Bone, Bounds, Camera, Evaluation, Figure, Mesh, Palette, skin_positions};
 
 use super::keypoints::Landmarks;
 use super::shot::Shot;
 use super::subject::Subject;
+use super::underfoot::Underfoot;
 use crate::failure::Failure;
 
 /// Opens the graphics adapter.
@@ -110,13 +111,15 @@ impl Darkroom {
         })
     }
 
-    /// Uploads what is seen of a subject, unless it is there.
+    /// Uploads what is seen of a subject, but for what is there.
     fn seat(&mut self, subject: &Subject) -> Result<(), Failure> {
-        if self.drawn.as_ref().is_some_and(|former| former.looks_like(subject)) {
-            return Ok(());
-        }
-        for (slot, mesh) in subject.meshes().iter().enumerate() {
-            self.renderer.set_mesh(slot, mesh)?;
+        // Until all is there, nothing counts.
+        let former = self.drawn.take();
+        let kept = former.as_ref().map(meshes).unwrap_or_default();
+        for (slot, mesh) in meshes(subject).into_iter().enumerate() {
+            if !kept.get(slot).is_some_and(|kept| std::ptr::eq(*kept, mesh)) {
+                self.renderer.set_mesh(slot, mesh)?;
+            }
         }
         self.drawn = Some(subject.clone());
         Ok(())
@@ -128,10 +131,18 @@ impl Darkroom {
     }
 }
 
+/// The meshes of a subject by their slots, the ground being the last. They stay where they are while a clone of the subject
+/// is kept.
+fn meshes(subject: &Subject) -> Vec<&Mesh> {
+    subject.meshes().iter().chain(subject.underfoot().map(Underfoot::mesh)).collect()
+}
+
 /// A view of each mesh of a subject.
 fn views<'a>(subject: &Subject, palettes: &'a [Palette]) -> Vec<FigureView<'a>> {
-    let slots = 0..subject.meshes().len();
-    slots.zip(palettes).map(|(skin, palette)| FigureView { skin, ..FigureView::new(palette) }).collect()
+    let own = subject.meshes().len();
+    let bodies =
+        (0..own).zip(palettes).map(|(skin, palette)| FigureView { skin, ..FigureView::new(palette) });
+    bodies.chain(subject.underfoot().map(|_| Underfoot::view(own))).collect()
 }
 
 fn scene<'a>(

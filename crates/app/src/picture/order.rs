@@ -18,15 +18,29 @@ use super::work::Work;
 use crate::disk::write_atomic;
 use crate::failure::Failure;
 
-/// Pictures to be made: each pass from each camera.
+/// What one picture shows, and from where.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// What.
+    pub subject: Subject,
+    /// From where.
+    pub camera: Camera,
+}
+
+impl Moment {
+    /// The same from several places.
+    pub fn from_all(subject: &Subject, cameras: Vec<Camera>) -> Vec<Moment> {
+        cameras.into_iter().map(|camera| Moment { subject: subject.clone(), camera }).collect()
+    }
+}
+
+/// Pictures to be made: each pass of each moment.
 #[derive(Clone, Debug)]
 pub struct Order {
-    /// What they show.
-    pub subject: Subject,
     /// The name of the pose.
     pub title: String,
     /// One for a still, several for frames.
-    pub cameras: Vec<Camera>,
+    pub moments: Vec<Moment>,
     /// Pixels.
     pub size: [u32; 2],
     /// Which pictures of the scene, at least one.
@@ -48,7 +62,7 @@ impl Order {
     /// They don't: why, and what would.
     pub fn check(&self) -> Result<(), Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
-        let (naming, several) = (&self.naming, self.cameras.len() > 1);
+        let (naming, several) = (&self.naming, self.moments.len() > 1);
         if self.passes.len() > 1 && !naming.tells_passes() {
             return usage(&format!("several passes need {PASS} in the name of the output"));
         }
@@ -81,11 +95,11 @@ impl Order {
         self.write_keypoints(darkroom)?;
         for pass in &self.passes {
             let shot = Shot { size: self.size, pass: *pass, look: self.look };
-            match self.cameras.as_slice() {
-                [camera] if self.naming.format != Format::Gif && self.naming.format != Format::Mp4 => {
-                    self.still(darkroom, work, *camera, &shot)?;
+            match self.moments.as_slice() {
+                [moment] if self.naming.format != Format::Gif && self.naming.format != Format::Mp4 => {
+                    self.still(darkroom, work, moment, &shot)?;
                 }
-                cameras => self.film(darkroom, work, cameras, &shot)?,
+                moments => self.film(darkroom, work, moments, &shot)?,
             }
         }
         work.end();
@@ -106,9 +120,9 @@ impl Order {
 
     fn write_keypoints(&self, darkroom: &mut Darkroom) -> Result<(), Failure> {
         let Some(naming) = &self.keypoints else { return Ok(()) };
-        let people = [darkroom.keypoints(&self.subject)?];
-        for (i, camera) in self.cameras.iter().enumerate() {
-            let text = keypoints_text(&people, camera, self.size)?;
+        for (i, moment) in self.moments.iter().enumerate() {
+            let people = [darkroom.keypoints(&moment.subject)?];
+            let text = keypoints_text(&people, &moment.camera, self.size)?;
             write_atomic(&naming.file("keypoints", i), text.as_bytes())?;
         }
         Ok(())
@@ -118,21 +132,22 @@ impl Order {
         &self,
         darkroom: &mut Darkroom,
         work: &Work,
-        camera: Camera,
+        moment: &Moment,
         shot: &Shot,
     ) -> Result<(), Failure> {
+        let Moment { subject, camera } = moment;
         let file = self.naming.file(pass_name(shot.pass), 0);
-        let facts = self.facts(&camera, shot);
+        let facts = facts(&self.title, moment, shot);
         work.begin(u64::from(self.size[1]), "rows");
         if self.naming.format == Format::WebP {
             let mut webp = WebP::begin(&file, self.size, shot.alpha(), &facts, false)?;
-            webp.still(&darkroom.image(&self.subject, camera, shot)?)?;
+            webp.still(&darkroom.image(subject, *camera, shot)?)?;
             work.check()?;
             return webp.finish();
         }
         let shape = Shape { size: self.size, alpha: shot.alpha() };
         write_rows(&file, shape, &facts, |rows| {
-            darkroom.bands(&self.subject, camera, shot, |band| {
+            darkroom.bands(subject, *camera, shot, |band| {
                 rows.take(&band.rgba)?;
                 work.advance(u64::from(band.height))
             })
@@ -143,36 +158,36 @@ impl Order {
         &self,
         darkroom: &mut Darkroom,
         work: &Work,
-        cameras: &[Camera],
+        moments: &[Moment],
         shot: &Shot,
     ) -> Result<(), Failure> {
-        let Some(first) = cameras.first() else { return Ok(()) };
-        let facts = self.facts(first, shot);
-        let facts =
-            if cameras.len() > 1 { facts.with("Turntable", cameras.len().to_string()) } else { facts };
-        work.begin(cameras.len() as u64, "frames");
+        let Some(first) = moments.first() else { return Ok(()) };
+        let facts = facts(&self.title, first, shot);
+        let turns = moments.iter().any(|moment| moment.camera.yaw_rad != first.camera.yaw_rad);
+        let facts = if turns { facts.with("Turntable", moments.len().to_string()) } else { facts };
+        work.begin(moments.len() as u64, "frames");
         let film = Film {
             naming: &self.naming,
             pass: pass_name(shot.pass),
             shape: Shape { size: self.size, alpha: shot.alpha() },
-            frames: cameras.len(),
+            frames: moments.len(),
             fps: self.fps,
             facts: &facts,
         };
-        film.write(work, |i| darkroom.image(&self.subject, cameras[i], shot))
+        film.write(work, |i| darkroom.image(&moments[i].subject, moments[i].camera, shot))
     }
+}
 
-    fn facts(&self, camera: &Camera, shot: &Shot) -> Facts {
-        let facts = Facts::new(&self.title, self.subject.name())
-            .with("Pass", pass_name(shot.pass))
-            .with("View", camera_words(camera));
-        match shot.pass {
-            Pass::Color if shot.look.joint_planes => {
-                facts.with("Look", format!("{}, joint planes", style_name(shot.look.style)))
-            }
-            Pass::Color => facts.with("Look", style_name(shot.look.style)),
-            _ => facts,
+fn facts(title: &str, moment: &Moment, shot: &Shot) -> Facts {
+    let facts = Facts::new(title, moment.subject.name())
+        .with("Pass", pass_name(shot.pass))
+        .with("View", camera_words(&moment.camera));
+    match shot.pass {
+        Pass::Color if shot.look.joint_planes => {
+            facts.with("Look", format!("{}, joint planes", style_name(shot.look.style)))
         }
+        Pass::Color => facts.with("Look", style_name(shot.look.style)),
+        _ => facts,
     }
 }
 

@@ -4,9 +4,12 @@ use std::sync::Arc;
 
 use edit::{ChainDocument, Editor};
 use glam::Vec3;
-use rig::{Bounds, Evaluation, Figure, Frame, Mesh, Palette, Robot, RobotSkin, skin_positions};
+use rig::{
+    Bounds, Evaluation, Figure, Frame, Mesh, Palette, Pose, Robot, RobotSkin, evaluate, skin_positions,
+};
 
 use super::darkroom::{bounds, rest_positions};
+use super::underfoot::Underfoot;
 
 /// A figure in a pose.
 #[derive(Clone, Debug)]
@@ -15,6 +18,8 @@ pub struct Posed {
     pub figure: Arc<Figure>,
     /// How.
     pub evaluation: Evaluation,
+    /// On what, in place of the level ground at height 0.
+    pub underfoot: Option<Underfoot>,
 }
 
 /// A chain with its links where they are.
@@ -40,8 +45,15 @@ pub enum Subject {
 impl Subject {
     /// The figure as an editor shows it.
     pub fn of(editor: &Editor) -> Subject {
-        let posed = Posed { figure: editor.figure().clone(), evaluation: editor.evaluation().clone() };
+        let (figure, evaluation) = (editor.figure().clone(), editor.evaluation().clone());
+        let posed = Posed { figure, evaluation, underfoot: None };
         Subject::Figure(Box::new(posed))
+    }
+
+    /// A figure in a pose, on ground if there is some.
+    pub fn of_pose(figure: &Arc<Figure>, pose: &Pose, underfoot: Option<Underfoot>) -> Subject {
+        let evaluation = evaluate(figure, pose, true);
+        Subject::Figure(Box::new(Posed { figure: figure.clone(), evaluation, underfoot }))
     }
 
     /// A chain as its document says.
@@ -108,12 +120,8 @@ impl Subject {
         }
     }
 
-    /// Whether the other one has the very same meshes.
-    pub(super) fn looks_like(&self, other: &Subject) -> bool {
-        match (self, other) {
-            (Subject::Figure(a), Subject::Figure(b)) => Arc::ptr_eq(&a.figure, &b.figure),
-            (Subject::Chain(a), Subject::Chain(b)) => Arc::ptr_eq(&a.skin, &b.skin),
-            _ => false,
-        }
+    /// The ground that it stands on, if it is one of its own.
+    pub(super) fn underfoot(&self) -> Option<&Underfoot> {
+        self.posed().and_then(|posed| posed.underfoot.as_ref())
     }
 }

@@ -1,0 +1,143 @@
+//! Ground as it is drawn: a patch of it as a mesh, which a renderer takes into a slot of its own.
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3, Vec3};
+use motion::Ground;
+use render::FigureView;
+use rig::{Bone, Mesh, Palette};
+
+/// The patch moves in steps of so many metres, so that a figure that walks doesn't change it at every step.
+const STEP_M: f64 = 2.0;
+/// The edge of a square of the patch, metres.
+const SQUARE_M: f64 = 0.125;
+/// How far beyond the middle the patch reaches at least and at most, metres.
+const REACH_M: [f64; 2] = [6.0, 24.0];
+/// Linear colours in dark and in bright surroundings.
+const COLORS: [[f32; 3]; 2] = [[0.105, 0.110, 0.118], [0.50, 0.51, 0.53]];
+
+/// A patch of ground, ready to be drawn. Equal patches are one and the same allocation.
+#[derive(Clone, Debug)]
+pub struct Underfoot(Arc<Patch>);
+
+#[derive(Debug)]
+struct Patch {
+    mesh: Mesh,
+    middle: DVec2,
+    reach_m: f64,
+    bright: bool,
+}
+
+impl Underfoot {
+    /// The ground around a place of the world as far as a camera at that distance shows it, for bright or dark surroundings.
+    ///
+    /// Bad numbers give a patch around the origin, as small as patches are.
+    pub fn around(ground: &Ground, place: DVec3, camera_distance_m: f64, bright: bool) -> Underfoot {
+        let (middle, reach_m) = extent(place, camera_distance_m);
+        let mesh = mesh(ground, middle, reach_m, COLORS[usize::from(bright)]);
+        Underfoot(Arc::new(Patch { mesh, middle, reach_m, bright }))
+    }
+
+    /// The same patch as long as it does for that place, camera and surroundings, else a new one.
+    #[must_use]
+    pub fn following(
+        &self,
+        ground: &Ground,
+        place: DVec3,
+        camera_distance_m: f64,
+        bright: bool,
+    ) -> Underfoot {
+        let Patch { middle, reach_m, bright: was, .. } = &*self.0;
+        if (*middle, *reach_m, *was)
+            == (extent(place, camera_distance_m).0, extent(place, camera_distance_m).1, bright)
+        {
+            return self.clone();
+        }
+        Underfoot::around(ground, place, camera_distance_m, bright)
+    }
+
+    /// What a renderer takes into a slot; in the world as it is.
+    pub fn mesh(&self) -> &Mesh {
+        &self.0.mesh
+    }
+
+    /// The view of the mesh in that slot.
+    pub fn view(slot: usize) -> FigureView<'static> {
+        FigureView { skin: slot, ground: true, ..FigureView::new(&Palette::REST) }
+    }
+
+    /// Whether the other one is the very same.
+    pub fn is(&self, other: &Underfoot) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl PartialEq for Underfoot {
+    fn eq(&self, other: &Underfoot) -> bool {
+        self.is(other)
+    }
+}
+
+/// The middle of the patch and how far it reaches from there, metres.
+fn extent(place: DVec3, camera_distance_m: f64) -> (DVec2, f64) {
+    let stepped = |v: f64| if v.is_finite() { (v / STEP_M).round() * STEP_M } else { 0.0 };
+    // The ground fades out at twice the camera's distance.
+    let wanted = (2.0 * camera_distance_m + STEP_M).ceil();
+    let reach_m = if wanted.is_finite() { wanted.clamp(REACH_M[0], REACH_M[1]) } else { REACH_M[0] };
+    (DVec2::new(stepped(place.x), stepped(place.z)), reach_m)
+}
+
+fn mesh(ground: &Ground, middle: DVec2, reach_m: f64, color: [f32; 3]) -> Mesh {
+    let count = (2.0 * reach_m / SQUARE_M).round() as u32;
+    let mut mesh = Mesh::default();
+    for j in 0..=count {
+        for i in 0..=count {
+            let at = middle - reach_m + SQUARE_M * DVec2::new(f64::from(i), f64::from(j));
+            let point = ground.under(at.x, at.y);
+            let place = DVec3::new(at.x, point.height, at.y).as_vec3();
+            push(&mut mesh, place, point.normal.as_vec3(), color);
+        }
+    }
+    let row = count + 1;
+    for corner in (0..count).flat_map(|j| (0..count).map(move |i| j * row + i)) {
+        let [a, b, c, d] = [corner, corner + 1, corner + row, corner + row + 1];
+        mesh.indices.extend([a, c, b, b, c, d]);
+    }
+    mesh
+}
+
+fn push(mesh: &mut Mesh, place: Vec3, normal: Vec3, color: [f32; 3]) {
+    mesh.positions.push(place.to_array());
+    mesh.normals.push(normal.to_array());
+    mesh.colors.push(color);
+    mesh.joints.push([Bone::Hips.index() as u8, 0, 0, 0]);
+    mesh.weights.push([u16::MAX, 0, 0, 0]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_patch_stays_while_it_does_and_follows_in_steps() {
+        let first = Underfoot::around(&Ground::Flat, DVec3::ZERO, 4.0, false);
+        assert_eq!(first.mesh().fault(), None);
+        assert!(first.is(&first.following(&Ground::Flat, DVec3::new(0.7, 3.0, -0.9), 4.0, false)));
+        let moved = first.following(&Ground::Flat, DVec3::new(0.0, 0.0, 5.2), 4.0, false);
+        assert!(!first.is(&moved));
+        let spread = |patch: &Underfoot| {
+            let all = || patch.mesh().positions.iter().map(|p| p[2]);
+            (all().fold(f32::MAX, f32::min), all().fold(f32::MIN, f32::max))
+        };
+        assert_eq!((spread(&first), spread(&moved)), ((-10.0, 10.0), (-4.0, 16.0)));
+        assert!(!first.is(&first.following(&Ground::Flat, DVec3::ZERO, 4.0, true)), "other colours");
+        let lost = Underfoot::around(&Ground::Flat, DVec3::NAN, f64::INFINITY, false);
+        assert_eq!(lost.mesh().fault(), None);
+        let triangle = |patch: &Underfoot| {
+            let [a, b, c] =
+                [0, 1, 2].map(|i| Vec3::from(patch.mesh().positions[patch.mesh().indices[i] as usize]));
+            (b - a).cross(c - a)
+        };
+        assert!(triangle(&first).y > 0.0, "seen from above");
+    }
+}
