@@ -14,7 +14,9 @@ mod walker;
 
 pub use clip::Clip;
 pub use fitted::{FitError, FittedClip};
-pub use ground::{Ground, GroundPoint};
+pub use ground::{
+    Ground, GroundKind, GroundPoint, Hills, HillsShape, Rise, Sheet, SheetError, Slope, Stairs, Stones,
+};
 pub use leg::{Bend, FootGoal, Leg, LegMiss, Legs};
 pub use placement::{FeetState, FootView, PlacementSettings};
 pub use sample::{Bearing, Sample};
