@@ -33,6 +33,7 @@ mod skeleton;
 mod skin;
 mod skin_bounds;
 mod support;
+mod text;
 mod torso;
 mod turn;
 mod turn_in_contact;
@@ -64,10 +65,7 @@ pub use mesh::Mesh;
 pub use morph::{MorphTarget, MorphTargets, add_targets};
 pub use palette::{PALETTE_LEN, Palette};
 pub use pose::{Contact, LimbState, Place, Pose, Reacher, Space};
-pub use pose_file::{
-    POSE_VERSION, TextFault, check_patch, check_version, from_ron, parse_pose, write_bones, write_parts,
-    write_pose,
-};
+pub use pose_file::{POSE_VERSION, check_patch, parse_pose, write_bones, write_parts, write_pose};
 pub use reach_limits::{Miss, ReachLimits, Why, reach_limits};
 pub use robot::{
     ChangeError, DofPart, Inertial, JointLimit, Mimic, NewLink, Paint, Robot, RobotChain, RobotDof,
@@ -79,6 +77,9 @@ pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{skin_normals, skin_position, skin_positions};
 pub use skin_bounds::SkinBounds;
 pub use support::{Falls, Support, support};
+pub use text::{
+    AnglesText, Number, PlaceText, TextFault, Triple, check_version, from_ron, ron_options,
+};
 pub use torso::{aim_spine, look_at, spine_twist};
 pub use turn::{Moved, Slider, live_range, sliders, turn};
 pub use turn_in_contact::{contact_joint, turn_in_contact};
