@@ -1,6 +1,7 @@
 //! Animation: clips, blend trees, ground, and feet placed on it. No disk, no clock: time is handed in.
 
 mod clip;
+mod clip_file;
 mod fitted;
 mod ground;
 mod leg;
@@ -13,6 +14,7 @@ mod travel;
 mod walker;
 
 pub use clip::Clip;
+pub use clip_file::{CLIP_VERSION, parse_clip, write_clip};
 pub use fitted::{FitError, FittedClip};
 pub use ground::{
     Ground, GroundKind, GroundPoint, Hills, HillsShape, Rise, Sheet, SheetError, Slope, Stairs, Stones,
@@ -22,6 +24,6 @@ pub use placement::{FeetState, FootView, PlacementSettings};
 pub use sample::{Bearing, Sample};
 pub use soles::{Sole, Soles};
 pub use steering::{Parameter, Steering};
-pub use track::{Key, Mode, Track};
+pub use track::{Key, Keyed, Mode, Track};
 pub use travel::Travel;
 pub use walker::Walker;
