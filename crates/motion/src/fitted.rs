@@ -69,6 +69,11 @@ impl FittedClip {
         Travel::default()
     }
 
+    /// The ratio of the figure's speeds to those of the figure that the clip was made with: the square root of their legs'.
+    pub fn pace(&self) -> f64 {
+        1.0
+    }
+
     /// The figure at a phase, 0 the start and 1 the end; loops go on beyond, others stay at their ends.
     pub fn sample(&self, _phase: f64, out: &mut Sample) {
         out.clone_from(&self.samples[0]);

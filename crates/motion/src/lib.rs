@@ -1,7 +1,9 @@
 //! Animation: clips, blend trees, ground, and feet placed on it. No disk, no clock: time is handed in.
 
+mod cells;
 mod clip;
 mod clip_file;
+mod feather;
 mod fitted;
 mod ground;
 mod leg;
@@ -11,10 +13,13 @@ mod soles;
 mod steering;
 mod track;
 mod travel;
+mod tree;
 mod walker;
 
+pub use cells::{Cells, CellsError, MOST_POINTS};
 pub use clip::Clip;
 pub use clip_file::{CLIP_VERSION, parse_clip, write_clip};
+pub use feather::Feather;
 pub use fitted::{FitError, FittedClip};
 pub use ground::{
     Ground, GroundKind, GroundPoint, Hills, HillsShape, Rise, Sheet, SheetError, Slope, Stairs, Stones,
@@ -26,4 +31,8 @@ pub use soles::{Sole, Soles};
 pub use steering::{Parameter, Steering};
 pub use track::{Key, Keyed, Mode, Track};
 pub use travel::Travel;
-pub use walker::Walker;
+pub use tree::{
+    At, BLEND_VERSION, BlendView, Condition, OutlineNode, Plan, PlanFault, PlanNode, Step, Transition, Tree,
+    TreeState, parse_plan, read_tree, write_plan,
+};
+pub use walker::{Smoothing, Walker};

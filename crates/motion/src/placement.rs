@@ -1,9 +1,11 @@
 //! Feet on uneven ground: a blend tree's last node.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// How feet are placed.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct PlacementSettings {}
 
 /// What the placement remembers from step to step.

@@ -2,33 +2,197 @@
 
 use std::sync::Arc;
 
-use rig::{Figure, Pose};
+use glam::{DVec2, DVec3};
+use rig::{Figure, Place, Pose};
 
-use crate::{FootView, Ground, Steering};
+use crate::{FootView, Ground, Sample, Steering, Travel, Tree, TreeState};
+
+/// Longer time steps count as this many seconds.
+const LONGEST_STEP_SECS: f64 = 1.0;
+/// The slope ahead is that from as far behind to as far ahead, metres.
+const SLOPE_REACH_M: f64 = 0.35;
+/// How fast the slope ahead follows the ground: the time after which a third of a step in it is left.
+const SLOPE_SECS: f64 = 0.25;
+
+/// How fast a walker follows its steering.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Smoothing {
+    /// Metres a second, each second.
+    pub acceleration: f64,
+    /// Degrees a second, each second.
+    pub turn_acceleration: f64,
+}
+
+impl Default for Smoothing {
+    /// As fast as people set out and stop: 0 to a walk in 0.7 s.
+    fn default() -> Smoothing {
+        Smoothing { acceleration: 2.0, turn_acceleration: 180.0 }
+    }
+}
 
 /// A figure that walks. Same start, same steps, same bits.
 #[derive(Clone, Debug)]
 pub struct Walker {
+    /// Whether feet are placed on the ground, if the tree does so. Without, they are where they are over flat ground.
+    pub feet_on_ground: bool,
+    /// How fast it follows its steering; `None`: at once.
+    pub smoothing: Option<Smoothing>,
+    figure: Arc<Figure>,
+    tree: Arc<Tree>,
+    state: TreeState,
+    steering: Steering,
+    slope: Option<f64>,
     pose: Pose,
     feet: [FootView; 2],
 }
 
 impl Walker {
-    /// A figure that stands at the origin, facing +Z.
-    pub fn new(figure: Arc<Figure>) -> Walker {
-        Walker { pose: figure.rest_pose(), feet: Default::default() }
+    /// A figure that stands at the origin, facing +Z. The tree's clips must be fitted to this figure.
+    pub fn new(figure: Arc<Figure>, tree: Arc<Tree>) -> Walker {
+        let mut walker = Walker {
+            feet_on_ground: true,
+            smoothing: None,
+            state: TreeState::new(&tree),
+            steering: Steering::default(),
+            slope: None,
+            pose: figure.rest_pose(),
+            feet: Default::default(),
+            figure,
+            tree,
+        };
+        walker.take_sample();
+        walker
     }
 
-    /// Goes on by a time step, seconds.
-    pub fn step(&mut self, _ground: &Ground, _steering: &Steering, _dt_secs: f64) {}
+    /// Goes on by a time step, seconds: NaN and less than 0 count as 0, more than 1 as 1.
+    pub fn step(&mut self, ground: &Ground, steering: &Steering, dt_secs: f64) {
+        let dt_secs = if dt_secs > 0.0 { dt_secs.min(LONGEST_STEP_SECS) } else { 0.0 };
+        self.steering = match &self.smoothing {
+            Some(smoothing) => smoothing.toward(&self.steering, &steering.tidied(), dt_secs),
+            None => steering.tidied(),
+        };
+        self.steering.slope = self.slope_ahead(ground, dt_secs);
+        self.tree.step(&mut self.state, &self.steering, dt_secs);
+        self.pose.place = carried(self.pose.place, self.state.travel(), dt_secs);
+        self.take_sample();
+    }
+
+    /// The tree's sample as it is, over flat ground.
+    fn take_sample(&mut self) {
+        let sample = self.state.sample();
+        self.pose.hips = sample.hips;
+        self.pose.angles = sample.angles;
+    }
+
+    /// The slope ahead, degrees, as it is felt: without jumps at the edges of steps.
+    fn slope_ahead(&mut self, ground: &Ground, dt_secs: f64) -> f64 {
+        let Place { position, turn } = self.pose.place;
+        let (sin, cos) = turn.to_radians().sin_cos();
+        let height = |ahead: f64| ground.under(position.x + ahead * sin, position.z + ahead * cos).height;
+        let rise = height(SLOPE_REACH_M) - height(-SLOPE_REACH_M);
+        let now = rise.atan2(2.0 * SLOPE_REACH_M).to_degrees();
+        let now = if now.is_finite() { now } else { 0.0 };
+        let former = self.slope.unwrap_or(now);
+        let slope = former + (now - former) * (1.0 - (-dt_secs / SLOPE_SECS).exp());
+        self.slope = Some(slope);
+        slope
+    }
+
+    /// Puts another tree in the place of the present one, as after its file was saved: the stride's phase stays, and clocks and
+    /// states of nodes that have kept their names. The clips must be fitted to this figure.
+    pub fn replace_tree(&mut self, tree: Arc<Tree>) {
+        self.state = self.state.carried_over(&self.tree, &tree);
+        self.tree = tree;
+    }
+
+    /// Puts the figure somewhere else. What is not finite counts as 0; the height is always 0.
+    pub fn set_place(&mut self, place: Place) {
+        let tidy = |x: f64| if x.is_finite() { x } else { 0.0 };
+        let position = DVec3::new(tidy(place.position.x), 0.0, tidy(place.position.z));
+        self.pose.place = Place { position, turn: tidy(place.turn) };
+        self.slope = None;
+    }
 
     /// The pose as it now is, limbs free.
     pub fn pose(&self) -> &Pose {
         &self.pose
     }
 
+    /// The figure.
+    pub fn figure(&self) -> &Arc<Figure> {
+        &self.figure
+    }
+
+    /// Where it stands.
+    pub fn place(&self) -> Place {
+        self.pose.place
+    }
+
     /// The feet as they were placed, left and right.
     pub fn feet(&self) -> &[FootView; 2] {
         &self.feet
     }
+
+    /// The figure as its tree has it over flat ground, before the feet were placed.
+    pub fn flat(&self) -> &Sample {
+        self.state.sample()
+    }
+
+    /// How far the feet's placement has lowered the hips, metres; less than 0: raised.
+    pub fn hips_drop_m(&self) -> f64 {
+        self.flat().hips.y - self.pose.hips.y
+    }
+
+    /// The clips with their weights, in the tree's order; layers are left out, the sum is 1.
+    pub fn weights(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.state.named_weights(&self.tree)
+    }
+
+    /// What it follows now: the last step's steering, smoothed if it is to be, with the slope ahead.
+    pub fn steering(&self) -> &Steering {
+        &self.steering
+    }
+
+    /// Its tree.
+    pub fn tree(&self) -> &Arc<Tree> {
+        &self.tree
+    }
+
+    /// Where it is in its tree.
+    pub fn state(&self) -> &TreeState {
+        &self.state
+    }
+
+    /// The same, to set the stride's phase.
+    pub fn state_mut(&mut self) -> &mut TreeState {
+        &mut self.state
+    }
+}
+
+impl Smoothing {
+    /// From one steering toward another, no faster than allowed.
+    fn toward(&self, from: &Steering, to: &Steering, dt_secs: f64) -> Steering {
+        let limit = |x: f64| if x > 0.0 { x * dt_secs } else { 0.0 };
+        let way = DVec2::new(to.forward - from.forward, to.sideways - from.sideways);
+        let way = way.clamp_length_max(limit(self.acceleration));
+        let toward = |from: f64, to: f64, most: f64| from + (to - from).clamp(-most, most);
+        Steering {
+            speed: toward(from.speed, to.speed, limit(self.acceleration)),
+            forward: from.forward + way.x,
+            sideways: from.sideways + way.y,
+            turn: toward(from.turn, to.turn, limit(self.turn_acceleration)),
+            slope: to.slope,
+            sit: to.sit,
+        }
+    }
+}
+
+/// Where a place is after some time of even travel.
+fn carried(place: Place, travel: Travel, dt_secs: f64) -> Place {
+    let turn = travel.turn_rate * dt_secs;
+    let (sin, cos) = (place.turn + turn / 2.0).to_radians().sin_cos();
+    let (left, ahead) = (travel.velocity.x * dt_secs, travel.velocity.y * dt_secs);
+    let position = place.position + DVec3::new(left * cos + ahead * sin, 0.0, ahead * cos - left * sin);
+    let turn = place.turn + turn;
+    Place { position, turn: turn - 360.0 * (turn / 360.0).round() }
 }
