@@ -1,23 +1,66 @@
 //! Feet on uneven ground: a blend tree's last node.
+//!
+//! The motion gives feet over flat ground. Each foot has a plane, fitted to the ground under it, and stands to that plane
+//! as the motion's foot stands to the flat ground. So heel, whole sole and ball roll off as they do there. While a
+//! part of the sole bears weight, the foot is held where that part touched; what differs then from the motion and
+//! from the ground below fades as the foot swings. Hips go up and down with the ground around, and farther down by
+//! the least that lets both legs reach.
+
+mod fade;
+mod foot;
+mod footing;
+mod hips;
+mod plane;
+mod stand;
+mod toes;
 
 use glam::DVec3;
+use rig::{Frame, Place};
 use serde::{Deserialize, Serialize};
 
-/// How feet are placed.
-#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct PlacementSettings {}
+use crate::{Ground, Sample};
 
-/// What the placement remembers from step to step.
+pub use footing::Footing;
+pub use stand::stand;
+
+use fade::Fade;
+use foot::FootState;
+
+/// How feet are placed.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PlacementSettings {
+    /// Whether they are placed at all; off, feet are only looked at.
+    pub on: bool,
+    /// How near full stretch a leg begins to ease, as a share of its length.
+    pub softness: f64,
+    /// How much of a slope the spine leans against, 0 to 1.
+    pub lean: f64,
+}
+
+impl Default for PlacementSettings {
+    fn default() -> PlacementSettings {
+        PlacementSettings { on: true, softness: 0.012, lean: 0.2 }
+    }
+}
+
+/// What the placement remembers from step to step. The default stands where the next step finds the feet.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct FeetState {}
+pub struct FeetState {
+    feet: [FootState; 2],
+    /// Hips: what they go down beyond the ground's own rise, metres.
+    drop: Fade<f64>,
+    /// Forward lean, degrees.
+    lean: Fade<f64>,
+    begun: bool,
+}
 
 /// A foot as it was placed.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct FootView {
     /// Whether the whole sole stands on the ground and bears weight.
     pub stance: bool,
-    /// Points of the sole, metres, world: heel, ball and toes, outer and inner edge.
+    /// Points of the sole, metres, world: heel, ball and toes, each in the middle, at the outer and the inner edge.
     pub sole_in_world: Vec<DVec3>,
     /// The ground's height under each, metres.
     pub ground_under_sole: Vec<f64>,
@@ -25,4 +68,99 @@ pub struct FootView {
     pub animated_ankle_in_world: DVec3,
     /// Where it was placed, metres, world.
     pub ankle_in_world: DVec3,
+    /// How far the hips went down beyond the rise of the ground around, metres, 0 or less.
+    pub hips_drop: f64,
+}
+
+/// Bends a sample of a motion over flat ground so that its feet stand on the ground, a time step after the last.
+///
+/// `place` is where the figure now stands; its height is left out of account. Ranges are kept. A step of no time, or the
+/// first with a fresh state, places feet and hips at once, without easing. Deterministic; no allocation once the
+/// views have grown.
+#[allow(clippy::too_many_arguments)] // a node's inputs, its state and its outputs
+pub fn place_feet(
+    footing: &Footing,
+    ground: &Ground,
+    place: &Place,
+    sample: &mut Sample,
+    settings: &PlacementSettings,
+    state: &mut FeetState,
+    dt_secs: f64,
+    views: &mut [FootView; 2],
+) {
+    let level = Place { position: DVec3::new(place.position.x, 0.0, place.position.z), ..*place };
+    let world_from_figure = level.world_from_figure();
+    let flat_hips = footing.hips(sample);
+    let flat = [0, 1].map(|side| {
+        let leg = &footing.legs.sides[side];
+        world_from_figure.then(leg.ankle_and_foot(flat_hips, &sample.angles))
+    });
+    let dt_secs = if dt_secs.is_finite() && state.begun { dt_secs.clamp(0.0, 0.25) } else { 0.0 };
+    let at_once = !state.begun || dt_secs == 0.0;
+    let mut drop = 0.0;
+    let mut soles = [true; 2];
+    let sound =
+        level.position.is_finite() && flat.iter().all(|f| f.position.is_finite() && f.rotation.is_finite());
+    if settings.on && sound {
+        let targets = [0, 1].map(|side| {
+            let bearing = sample.bearing[side];
+            let now = foot::Moment { flat: flat[side], bearing, dt_secs, at_once };
+            state.feet[side].step(&footing.feet[side], ground, &now)
+        });
+        let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
+        let around = hips::around(&world_from_figure, sample, &targets);
+        let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
+        drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
+        sample.hips.y += around.height + drop;
+        let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
+        state.lean.follow(lean, 3.0, dt_secs, at_once);
+        footing.lean(state.lean.value, sample);
+        let placed_hips = footing.hips(sample);
+        for side in 0..2 {
+            let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
+            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], sample);
+            toes::bend(footing, side, ground, &world_from_figure, placed_hips, &targets[side], sample);
+        }
+        state.begun = true;
+    }
+    for side in 0..2 {
+        let seen = Seen { flat: flat[side], drop, sole_is_down: soles[side] };
+        view(footing, side, ground, &world_from_figure, sample, &seen, &mut views[side]);
+    }
+}
+
+/// What a view tells besides the sample.
+struct Seen {
+    flat: Frame,
+    drop: f64,
+    sole_is_down: bool,
+}
+
+/// From here on a part of the sole counts as standing.
+const STANDS: f64 = 0.5;
+
+fn view(
+    footing: &Footing,
+    side: usize,
+    ground: &Ground,
+    world_from_figure: &Frame,
+    sample: &Sample,
+    seen: &Seen,
+    view: &mut FootView,
+) {
+    let leg = &footing.legs.sides[side];
+    let foot = world_from_figure.then(leg.ankle_and_foot(footing.hips(sample), &sample.angles));
+    let toes = footing.feet[side].toes_in_foot(leg, sample);
+    view.sole_in_world.clear();
+    view.ground_under_sole.clear();
+    for (point, on_toes) in footing.feet[side].points {
+        let at = foot.point(if on_toes { toes.point(point) } else { point });
+        view.sole_in_world.push(at);
+        view.ground_under_sole.push(ground.height(at.x, at.z));
+    }
+    let bearing = sample.bearing[side];
+    view.stance = bearing.heel >= STANDS && bearing.ball >= STANDS && seen.sole_is_down;
+    view.animated_ankle_in_world = seen.flat.position;
+    view.ankle_in_world = foot.position;
+    view.hips_drop = seen.drop;
 }

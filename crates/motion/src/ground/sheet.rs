@@ -175,5 +175,5 @@ fn hit(([a, b, c], normal): &([DVec3; 3], DVec3), at: DVec2) -> Option<GroundPoi
     let (u, v) = (ap.perp_dot(ac) / area, ab.perp_dot(ap) / area);
     let slack = -1e-9;
     (u >= slack && v >= slack && u + v <= 1.0 - slack)
-        .then(|| GroundPoint { height: a.y + u * (b.y - a.y) + v * (c.y - a.y), normal: *normal })
+        .then_some(GroundPoint { height: a.y + u * (b.y - a.y) + v * (c.y - a.y), normal: *normal })
 }

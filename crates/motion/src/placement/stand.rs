@@ -1,0 +1,30 @@
+//! A still pose on the ground.
+
+use rig::Pose;
+
+use super::fade::smooth;
+use super::{FeetState, FootView, Footing, PlacementSettings, place_feet};
+use crate::{Bearing, Ground, Sample, Sole};
+
+/// Up to here above the lower sole a part of a foot bears wholly, from there on not at all, metres.
+const BEARS_M: (f64, f64) = (0.01, 0.06);
+
+/// Puts the feet of a posed figure on the ground: feet near the level at height 0 lie on it as they do on that level,
+/// raised ones are as high above it; hips go along, down as far as both legs need. Contacts of limbs are left as they are.
+pub fn stand(footing: &Footing, ground: &Ground, pose: &Pose) -> Pose {
+    let mut sample = Sample { hips: pose.hips, angles: pose.angles, bearing: Default::default() };
+    let hips = footing.hips(&sample);
+    for side in 0..2 {
+        let foot = footing.legs.sides[side].ankle_and_foot(hips, &sample.angles);
+        let height = |from: usize| {
+            let points = footing.feet[side].points[from..from + 3].iter();
+            points.filter(|(_, toes)| !toes).map(|(p, _)| foot.point(*p).y).fold(f64::INFINITY, f64::min)
+        };
+        let bears = |height: f64| 1.0 - smooth(height, BEARS_M.0, BEARS_M.1);
+        sample.bearing[side] = Bearing { heel: bears(height(Sole::HEEL)), ball: bears(height(Sole::BALL)) };
+    }
+    let (mut state, mut views) = (FeetState::default(), <[FootView; 2]>::default());
+    let settings = PlacementSettings::default();
+    place_feet(footing, ground, &pose.place, &mut sample, &settings, &mut state, 0.0, &mut views);
+    Pose { hips: sample.hips, angles: sample.angles, ..pose.clone() }
+}

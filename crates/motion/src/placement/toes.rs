@@ -1,0 +1,51 @@
+//! Toes that lie on the ground before the ball.
+
+use rig::{Dof, Frame};
+
+use super::foot::Target;
+use super::footing::{Footing, foot_from_toes};
+use crate::{Ground, Sample};
+
+/// Rounds of Newton's rule; the second is below a tenth of a degree.
+const ROUNDS: usize = 3;
+
+/// Bends the toes of a placed foot so that their tip is as high above the ground there as the motion has it above flat
+/// ground, as far as the ball holds; elsewhere they stay as the motion has them.
+pub(super) fn bend(
+    footing: &Footing,
+    side: usize,
+    ground: &Ground,
+    world_from_figure: &Frame,
+    hips: Frame,
+    target: &Target,
+    sample: &mut Sample,
+) {
+    let (leg, foot) = (&footing.legs.sides[side], &footing.feet[side]);
+    let Some(toes) = &foot.toes else { return };
+    let Some(range) = toes.joint.range(Dof::Flexion) else { return };
+    if target.ball <= 0.0 {
+        return;
+    }
+    let bone = leg.toes_bone().index();
+    let was = sample.angles[bone];
+    let world_from_foot = world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
+    let tip_at = |flexion: f64, frame: Frame| {
+        let angles = rig::Angles { flexion, ..was };
+        frame.point(foot_from_toes(toes, angles).point(toes.tip))
+    };
+    // The motion's own height of the tip over the plane.
+    let meant = tip_at(was.flexion, target.frame);
+    let level = |p: glam::DVec3| glam::DVec2::new(p.x, p.z);
+    let above = meant.y - target.plane.height_at(level(meant));
+    let mut flexion = was.flexion;
+    for _ in 0..ROUNDS {
+        let (tip, ahead) = (tip_at(flexion, world_from_foot), tip_at(flexion + 1.0, world_from_foot));
+        let off = tip.y - ground.height(tip.x, tip.z) - above;
+        let sinks = tip.y - ahead.y;
+        if sinks > 1e-6 {
+            flexion += (off / sinks).clamp(-40.0, 40.0);
+        }
+    }
+    let held = range.reaching(was.flexion).clamp(flexion);
+    sample.angles[bone].flexion = was.flexion + target.ball * (held - was.flexion);
+}
