@@ -3,6 +3,7 @@
 mod cells;
 mod clip;
 mod clip_file;
+pub mod crowd;
 mod feather;
 mod fitted;
 mod ground;

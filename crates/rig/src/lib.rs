@@ -83,4 +83,4 @@ pub use text::{
 pub use torso::{aim_spine, look_at, spine_twist};
 pub use turn::{Moved, Slider, live_range, sliders, turn};
 pub use turn_in_contact::{contact_joint, turn_in_contact};
-pub use twist::{PLACES, bone_of_place, spread_twist};
+pub use twist::{PLACES, TwistPlace, bone_of_place, spread_twist, twist_places};

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DQuat, DVec3, Vec3};
 
 use crate::dual_quaternion::DualQuaternion;
-use crate::twist::{SEGMENTS, Segment};
+use crate::twist::{SEGMENTS, TwistPlace};
 use crate::{Bone, Frames};
 
 /// Places in a palette: the bones, the twist places (see [`crate::spread_twist`]), padded to a round number for the
@@ -63,7 +63,7 @@ impl Palette {
 }
 
 /// The turn of a segment's twist place. A segment without length has no twist of its own.
-fn twist_turn(segment: &Segment, turns: &[DQuat; Bone::COUNT], rest: &[DVec3; Bone::COUNT]) -> DQuat {
+fn twist_turn(segment: &TwistPlace, turns: &[DQuat; Bone::COUNT], rest: &[DVec3; Bone::COUNT]) -> DQuat {
     let turn = turns[segment.bone.index()];
     let along = rest[segment.next.index()] - rest[segment.bone.index()];
     let Some(axis) = along.try_normalize() else { return turn };

@@ -10,7 +10,8 @@ use crate::{Bone, Mesh, Skeleton};
 
 /// A segment with a twist place.
 #[derive(Debug)]
-pub(crate) struct Segment {
+pub struct TwistPlace {
+    /// The segment's bone.
     pub bone: Bone,
     /// The bone at its far end.
     pub next: Bone,
@@ -21,13 +22,13 @@ pub(crate) struct Segment {
     pub twists_with_next: bool,
 }
 
-const fn segment(number: usize, bone: Bone, next: Bone) -> Segment {
+const fn segment(number: usize, bone: Bone, next: Bone) -> TwistPlace {
     let twists_with_next = matches!(bone, Bone::LeftLowerLeg | Bone::RightLowerLeg);
-    Segment { bone, next, place: Bone::COUNT + number, twists_with_next }
+    TwistPlace { bone, next, place: Bone::COUNT + number, twists_with_next }
 }
 
 /// The segments, in the order of their twist places, which follow the bones.
-pub(crate) static SEGMENTS: [Segment; 8] = [
+pub(crate) static SEGMENTS: [TwistPlace; 8] = [
     segment(0, Bone::LeftUpperArm, Bone::LeftLowerArm),
     segment(1, Bone::LeftLowerArm, Bone::LeftHand),
     segment(2, Bone::LeftUpperLeg, Bone::LeftLowerLeg),
@@ -37,6 +38,11 @@ pub(crate) static SEGMENTS: [Segment; 8] = [
     segment(6, Bone::RightUpperLeg, Bone::RightLowerLeg),
     segment(7, Bone::RightLowerLeg, Bone::RightFoot),
 ];
+
+/// The segments with a twist place, in the order of those places in the palette, which follow the bones.
+pub fn twist_places() -> &'static [TwistPlace] {
+    &SEGMENTS
+}
 
 /// The number of places that skin can belong to: the bones, by [`Bone::index`], then the twist places.
 pub const PLACES: usize = Bone::COUNT + SEGMENTS.len();
@@ -69,14 +75,14 @@ pub fn spread_twist(mesh: &mut Mesh, skeleton: &Skeleton) {
 
 /// A segment at rest.
 struct Span {
-    segment: &'static Segment,
+    segment: &'static TwistPlace,
     from: DVec3,
     /// Gradient of the fraction along the segment, 1/m.
     gradient: DVec3,
 }
 
 impl Span {
-    fn of(segment: &'static Segment, skeleton: &Skeleton) -> Option<Span> {
+    fn of(segment: &'static TwistPlace, skeleton: &Skeleton) -> Option<Span> {
         let ends = [segment.bone, segment.next];
         if ends.iter().any(|bone| skeleton.joint(*bone).is_none()) {
             return None;
