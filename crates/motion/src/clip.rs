@@ -6,7 +6,7 @@ use glam::DVec3;
 use rig::{Angles, Bone, Figure, Place, Size};
 
 use crate::track::{place_from, place_in};
-use crate::{Bearing, Sample, Track};
+use crate::{Bearing, Sample, Track, Travel};
 
 /// Keyed animation of a figure on flat ground at height 0.
 #[derive(Clone, PartialEq, Debug)]
@@ -68,6 +68,11 @@ impl Clip {
     /// Where one length of the clip takes the whole figure.
     pub fn root_travel(&self) -> Place {
         self.root_within(self.length_secs)
+    }
+
+    /// The steady travel that gets the figure as far as the clip does.
+    pub fn travel(&self) -> Travel {
+        Travel::to_place(self.root_travel(), self.length_secs)
     }
 
     /// The root's place within one length, its end included.

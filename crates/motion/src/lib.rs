@@ -1,5 +1,6 @@
 //! Animation: clips, blend trees, ground, and feet placed on it. No disk, no clock: time is handed in.
 
+mod bearing;
 mod cells;
 mod clip;
 mod clip_file;
@@ -9,6 +10,7 @@ mod fitted;
 mod ground;
 mod leg;
 mod placement;
+mod refit;
 mod sample;
 mod soles;
 mod steering;
