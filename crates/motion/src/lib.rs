@@ -14,6 +14,7 @@ mod refit;
 mod sample;
 mod soles;
 mod steering;
+mod survey;
 mod track;
 mod travel;
 mod tree;
@@ -32,6 +33,7 @@ pub use placement::{FeetState, FootView, Footing, PlacementSettings, place_feet,
 pub use sample::{Bearing, Sample};
 pub use soles::{Sole, Soles};
 pub use steering::{Parameter, Steering};
+pub use survey::{Summary, Survey};
 pub use track::{Key, Keyed, Mode, Track};
 pub use travel::Travel;
 pub use tree::{
