@@ -5,7 +5,10 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use rig::{Figure, Place, Pose};
 
-use crate::{FootView, Ground, Sample, Steering, Travel, Tree, TreeState};
+use crate::{
+    Feather, FeetState, FootView, Footing, Ground, PlacementSettings, Sample, Steering, Travel, Tree,
+    TreeState, place_feet,
+};
 
 /// Longer time steps count as this many seconds.
 const LONGEST_STEP_SECS: f64 = 1.0;
@@ -13,6 +16,8 @@ const LONGEST_STEP_SECS: f64 = 1.0;
 const SLOPE_REACH_M: f64 = 0.35;
 /// How fast the slope ahead follows the ground: the time after which a third of a step in it is left.
 const SLOPE_SECS: f64 = 0.25;
+/// How long the feet take to the ground, and back, when that is switched on or off.
+const SWITCH_SECS: f64 = 0.3;
 
 /// How fast a walker follows its steering.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -33,7 +38,8 @@ impl Default for Smoothing {
 /// A figure that walks. Same start, same steps, same bits.
 #[derive(Clone, Debug)]
 pub struct Walker {
-    /// Whether feet are placed on the ground, if the tree does so. Without, they are where they are over flat ground.
+    /// Whether feet are placed on the ground, if the tree does so. Without, they are where they are over flat ground. Between
+    /// steps they don't jump: it takes 0.3 s to come into force, except before the first step.
     pub feet_on_ground: bool,
     /// How fast it follows its steering; `None`: at once.
     pub smoothing: Option<Smoothing>,
@@ -42,6 +48,11 @@ pub struct Walker {
     state: TreeState,
     steering: Steering,
     slope: Option<f64>,
+    footing: Option<Footing>,
+    feet_state: FeetState,
+    /// How far the placement is switched on, 0 to 1; `None` before the first step.
+    switched: Option<f64>,
+    placed: Sample,
     pose: Pose,
     feet: [FootView; 2],
 }
@@ -55,11 +66,20 @@ impl Walker {
             state: TreeState::new(&tree),
             steering: Steering::default(),
             slope: None,
+            footing: Footing::of(&figure),
+            feet_state: FeetState::default(),
+            switched: None,
+            placed: Sample {
+                hips: DVec3::ZERO,
+                angles: figure.rest_pose().angles,
+                bearing: Default::default(),
+            },
             pose: figure.rest_pose(),
             feet: Default::default(),
             figure,
             tree,
         };
+        walker.placed.clone_from(walker.state.sample());
         walker.take_sample();
         walker
     }
@@ -74,14 +94,46 @@ impl Walker {
         self.steering.slope = self.slope_ahead(ground, dt_secs);
         self.tree.step(&mut self.state, &self.steering, dt_secs);
         self.pose.place = carried(self.pose.place, self.state.travel(), dt_secs);
+        self.place_feet(ground, dt_secs);
         self.take_sample();
     }
 
-    /// The tree's sample as it is, over flat ground.
     fn take_sample(&mut self) {
-        let sample = self.state.sample();
-        self.pose.hips = sample.hips;
-        self.pose.angles = sample.angles;
+        self.pose.hips = self.placed.hips;
+        self.pose.angles = self.placed.angles;
+    }
+
+    /// From the tree's sample to one with the feet on the ground, as far as that is switched on.
+    fn place_feet(&mut self, ground: &Ground, dt_secs: f64) {
+        self.placed.clone_from(self.state.sample());
+        let goal = if self.feet_on_ground && self.tree.placement().is_some() { 1.0 } else { 0.0 };
+        let former = self.switched.unwrap_or(goal);
+        let most = dt_secs / SWITCH_SECS;
+        let switched = former + (goal - former).clamp(-most, most);
+        self.switched = Some(switched);
+        if switched == 0.0 {
+            // Feet that are put down again stand where they then are.
+            self.feet_state = FeetState::default();
+            return self.look_at_feet(ground);
+        }
+        let Some(footing) = &self.footing else { return };
+        let settings = self.tree.placement().copied().unwrap_or_default();
+        let (place, state) = (&self.pose.place, &mut self.feet_state);
+        place_feet(footing, ground, place, &mut self.placed, &settings, state, dt_secs, &mut self.feet);
+        if switched < 1.0 {
+            let (part, seen) = (Feather::Smooth.at(switched), [0, 1].map(|side| Seen::of(&self.feet[side])));
+            toward(&mut self.placed, self.state.sample(), 1.0 - part);
+            self.look_at_feet(ground);
+            self.feet.iter_mut().zip(seen).for_each(|(foot, seen)| seen.put(foot, part));
+        }
+    }
+
+    /// Tells where the feet are, and leaves them there.
+    fn look_at_feet(&mut self, ground: &Ground) {
+        let Some(footing) = &self.footing else { return };
+        let only_look = PlacementSettings { on: false, ..PlacementSettings::default() };
+        let (place, state) = (&self.pose.place, &mut FeetState::default());
+        place_feet(footing, ground, place, &mut self.placed, &only_look, state, 0.0, &mut self.feet);
     }
 
     /// The slope ahead, degrees, as it is felt: without jumps at the edges of steps.
@@ -111,6 +163,7 @@ impl Walker {
         let position = DVec3::new(tidy(place.position.x), 0.0, tidy(place.position.z));
         self.pose.place = Place { position, turn: tidy(place.turn) };
         self.slope = None;
+        self.feet_state = FeetState::default();
     }
 
     /// The pose as it now is, limbs free.
@@ -138,9 +191,9 @@ impl Walker {
         self.state.sample()
     }
 
-    /// How far the feet's placement has lowered the hips, metres; less than 0: raised.
+    /// How far the feet's placement has lowered the hips so that both legs reach, beyond the rise of the ground, metres; 0 or more.
     pub fn hips_drop_m(&self) -> f64 {
-        self.flat().hips.y - self.pose.hips.y
+        -self.feet[0].hips_drop
     }
 
     /// The clips with their weights, in the tree's order; layers are left out, the sum is 1.
@@ -166,6 +219,33 @@ impl Walker {
     /// The same, to set the stride's phase.
     pub fn state_mut(&mut self) -> &mut TreeState {
         &mut self.state
+    }
+}
+
+/// What of a foot's view is the placement's own.
+struct Seen {
+    animated_ankle_in_world: DVec3,
+    hips_drop: f64,
+}
+
+impl Seen {
+    fn of(foot: &FootView) -> Seen {
+        Seen { animated_ankle_in_world: foot.animated_ankle_in_world, hips_drop: foot.hips_drop }
+    }
+
+    fn put(&self, foot: &mut FootView, part: f64) {
+        foot.animated_ankle_in_world = self.animated_ankle_in_world;
+        foot.hips_drop = self.hips_drop * part;
+    }
+}
+
+/// Takes a sample some part of the way to another.
+fn toward(sample: &mut Sample, other: &Sample, part: f64) {
+    sample.hips = sample.hips.lerp(other.hips, part);
+    for (angles, other) in sample.angles.iter_mut().zip(&other.angles) {
+        angles.flexion += (other.flexion - angles.flexion) * part;
+        angles.abduction += (other.abduction - angles.abduction) * part;
+        angles.twist += (other.twist - angles.twist) * part;
     }
 }
 

@@ -124,7 +124,9 @@ fn cells_cover_the_hull_once() {
         }
     }
     // Known contents: a box of 0.5 by 90, a cube.
-    for (dims, points, whole) in [(2, layouts(2)[4].clone(), 0.5 * 90.0 * 2.0), (3, layouts(3)[5].clone(), 6.0)] {
+    for (dims, points, whole) in
+        [(2, layouts(2)[4].clone(), 0.5 * 90.0 * 2.0), (3, layouts(3)[5].clone(), 6.0)]
+    {
         let cells = Cells::between(&points, dims).unwrap();
         let sum: f64 = cells.corners().map(|corners| content(&points, corners, dims)).sum();
         assert!((sum - whole).abs() < 1e-9, "{sum} of {whole}");

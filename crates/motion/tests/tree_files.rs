@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use interchange::figure::bare_mannequin;
 use motion::{
-    At, Clip, Condition, Feather, FittedClip, Parameter, Plan, PlanNode, Transition, parse_plan, read_tree, write_plan,
+    At, Clip, Condition, Feather, FittedClip, Parameter, Plan, PlanNode, Transition, parse_plan, read_tree,
+    write_plan,
 };
 use proptest::prelude::*;
 
@@ -90,8 +91,18 @@ fn what_is_written_comes_back() {
 fn faults_of_meaning_say_where() {
     // From, to, how many characters after the change's start, and a part of the message.
     let table: [(&str, &str, usize, &str); 24] = [
-        ("Clip(name: \"walk\", turn", "Clip(name: \"wolk\", turn", 11, "unknown clip \"wolk\", expected idle, walk"),
-        ("initial: \"still\"", "initial: \"stall\"", 9, "unknown state \"stall\", expected still, moving, sitting"),
+        (
+            "Clip(name: \"walk\", turn",
+            "Clip(name: \"wolk\", turn",
+            11,
+            "unknown clip \"wolk\", expected idle, walk",
+        ),
+        (
+            "initial: \"still\"",
+            "initial: \"stall\"",
+            9,
+            "unknown state \"stall\", expected still, moving, sitting",
+        ),
         ("(\"moving\", Blend", "(\"still\", Blend", 1, "a second state \"still\""),
         ("to: \"moving\", when", "to: \"running\", when", 4, "unknown state \"running\""),
         ("from: \"sitting\"", "from: \"lying\"", 6, "unknown state \"lying\""),
@@ -112,7 +123,12 @@ fn faults_of_meaning_say_where() {
         ("amount: 0.5", "amount: 1.5", 8, "1.5 found, expected 0 to 1"),
         ("over: (-5, 5)", "over: (5, 5)", 6, "lower value first"),
         ("pace: 0.5)", "pace: -0.5)", 6, "strides don't go backward"),
-        ("Clip(name: \"idle\")),\n            (\"moving\"", "FootPlacement(node: Clip(name: \"idle\"))),\n            (\"moving\"", 0, "expected it outermost"),
+        (
+            "Clip(name: \"idle\")),\n            (\"moving\"",
+            "FootPlacement(node: Clip(name: \"idle\"))),\n            (\"moving\"",
+            0,
+            "expected it outermost",
+        ),
         ("pace: -1", "pace: NaN", 6, "NaN found"),
     ];
     let clips = clips();
@@ -141,7 +157,10 @@ fn faults_of_form_say_where() {
         let fault = parse_plan(&text).expect_err(to);
         assert!(fault.message.contains(message), "{to}: {fault}");
         assert!(fault.line == line || fault.line == line + 1, "{to}: {fault}, expected line {line}");
-        assert!(fault.line > line || (column..column + 40).contains(&fault.column), "{to}: {fault} near {column}");
+        assert!(
+            fault.line > line || (column..column + 40).contains(&fault.column),
+            "{to}: {fault} near {column}"
+        );
     }
 }
 
@@ -159,21 +178,30 @@ fn node() -> impl Strategy<Value = PlanNode> {
             boxed.clone().prop_map(|node| PlanNode::Mirror { node }),
             (some.clone(), 1usize..=3).prop_map(|(nodes, dims)| PlanNode::Blend {
                 by: Parameter::ALL[..dims].to_vec(),
-                points: nodes.into_iter().zip(PLACES).map(|(node, at)| (At::new(&at[..dims]), node)).collect(),
+                points: nodes
+                    .into_iter()
+                    .zip(PLACES)
+                    .map(|(node, at)| (At::new(&at[..dims]), node))
+                    .collect(),
                 cells: None,
             }),
             (parameter.clone(), -5.0..0.0f64, boxed.clone(), boxed.clone(), feather.clone()).prop_map(
-                |(by, least, from, to, feather)| PlanNode::Crossfade { by, over: (least, 0.5), from, to, feather }
+                |(by, least, from, to, feather)| PlanNode::Crossfade {
+                    by,
+                    over: (least, 0.5),
+                    from,
+                    to,
+                    feather
+                }
             ),
-            (boxed.clone(), boxed.clone(), prop::option::of(boxed.clone()), 0.0..1.0f64, any::<bool>()).prop_map(
-                |(base, layer, less, amount, by)| PlanNode::Additive {
+            (boxed.clone(), boxed.clone(), prop::option::of(boxed.clone()), 0.0..1.0f64, any::<bool>())
+                .prop_map(|(base, layer, less, amount, by)| PlanNode::Additive {
                     base,
                     layer,
                     less,
                     amount,
                     by: by.then_some((Parameter::Turn, -90.5)),
-                }
-            ),
+                }),
             (boxed.clone(), boxed).prop_map(|(base, layer)| PlanNode::Mask {
                 base,
                 layer,
