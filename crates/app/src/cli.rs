@@ -1,8 +1,10 @@
 //! The command line: what is asked, done headless or in a window.
 
+mod clip_frames;
 mod pictures;
 mod robots;
 mod sheet;
+mod walk;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -15,6 +17,7 @@ use crate::failure::Failure;
 use crate::load::{self, Kind};
 use pictures::RenderArguments;
 use sheet::SheetArguments;
+use walk::WalkArguments;
 
 /// Poses a skinned figure: forward and inverse gestures in any mix.
 #[derive(Parser, Debug)]
@@ -56,13 +59,15 @@ enum Task {
         #[arg(long, value_name = "JSON")]
         report: Option<PathBuf>,
     },
-    /// Draws a pose, or what a script makes of the figure: stills, turntables, passes, keypoints; needs no display.
+    /// Draws a pose, what a script makes of the figure, or a clip: stills, frames, turntables, passes, keypoints; needs no display.
     Render(Box<RenderArguments>),
     /// Draws many poses, looks or figures side by side, with their names; needs no display.
     Sheet(SheetArguments),
+    /// Walks over some ground: a report of every step of time, pictures, or both; needs no display.
+    Walk(Box<WalkArguments>),
     /// Tells what a pose comes to, or where the links of a robot are.
     Inspect {
-        /// The pose, script, figure, URDF or chain file.
+        /// The pose, script, clip, figure, URDF or chain file.
         file: PathBuf,
         /// One record as JSON, as in the reports of `run`; of a robot its links and joints.
         #[arg(long)]
@@ -83,7 +88,7 @@ enum Task {
     },
     /// Checks files and says what is wrong where: file:line:column: message.
     Check {
-        /// Poses, scripts, figures, chains, URDF and GLB files.
+        /// Poses, scripts, figures, clips, blend trees, chains, URDF and GLB files.
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// The figure that poses and scripts are for, *.figure.ron.
@@ -134,6 +139,7 @@ fn act(line: Line) -> Result<(), Vec<Failure>> {
             run(&script, on.as_deref(), figure.as_deref(), save.as_deref(), report.as_deref()).map_err(one)
         }
         Some(Task::Render(told)) => pictures::render(&told).map_err(one),
+        Some(Task::Walk(told)) => walk::walk(&told).map_err(one),
         Some(Task::Sheet(told)) => sheet::sheet(&told).map_err(one),
         Some(Task::Inspect { file, json, joints, figure }) => {
             inspect(&file, json, joints.as_deref(), figure.as_deref()).map_err(one)
@@ -273,6 +279,8 @@ fn check(files: &[PathBuf], figure: Option<&Path>) -> Result<(), Vec<Failure>> {
                 load::editor(&figure, path).map(|_| ())
             }
             Kind::Figure => load::figure(Some(path)).map(|_| ()),
+            Kind::Clip => load::clip(path).map(|_| ()),
+            Kind::Blend => load::tree(&figure, Some(path)).map(|_| ()),
             Kind::Urdf | Kind::Chain => robots::check(path),
             Kind::Glb => interchange::glb::read(&read_bytes(path, MODEL_LIMIT)?, &figure.skeleton)
                 .map(|_| ())

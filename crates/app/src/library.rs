@@ -5,6 +5,7 @@
 
 mod cache;
 pub mod chains;
+pub mod clips;
 pub mod entry;
 mod folder;
 mod index;

@@ -1,8 +1,11 @@
 //! Files into values: figures, poses and scripts by extension.
 
 mod chain;
+mod clip;
+mod ground;
 mod relative;
 mod robot;
+mod tree;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -16,7 +19,10 @@ use crate::library::shipped;
 pub use chain::{
     chain_editor, chain_of, open_chain, save as save_chain, script as chain_script, shows_chain,
 };
+pub use clip::{clip, pose_at};
+pub use ground::ground;
 pub use robot::{chain, robot};
+pub use tree::{fit, tree};
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -29,6 +35,10 @@ pub enum Kind {
     Figure,
     /// `*.chain.ron`
     Chain,
+    /// `*.clip.ron`
+    Clip,
+    /// `*.blend.ron`
+    Blend,
     /// `*.urdf`
     Urdf,
     /// `*.glb`
@@ -47,6 +57,8 @@ impl Kind {
             (".script.ron", Kind::Script),
             (".figure.ron", Kind::Figure),
             (".chain.ron", Kind::Chain),
+            (".clip.ron", Kind::Clip),
+            (".blend.ron", Kind::Blend),
             (".urdf", Kind::Urdf),
             (".glb", Kind::Glb),
         ];
@@ -133,7 +145,7 @@ pub fn standing(figure: &Figure) -> Pose {
     rig::read_pose(figure, text).map_or(rest.clone(), |patch| patch.onto(&rest))
 }
 
-/// An editor that shows a file: a pose, or what a script makes of the figure at rest.
+/// An editor that shows a file: a pose, what a script makes of the figure at rest, or how a clip begins.
 ///
 /// # Errors
 /// A file at fault, or one of a kind that shows no figure.
@@ -149,8 +161,12 @@ pub fn editor(figure: &Arc<Figure>, path: &Path) -> Result<Editor, Failure> {
             run_script(&mut editor, &script, &mut Disk::beside(path)).map_err(|fault| at(path, &fault))?;
         }
         Kind::Figure => return self::figure(Some(path)).map(Editor::new),
-        Kind::Chain | Kind::Urdf | Kind::Glb => {
-            let message = "this shows no posed figure; give a .pose.ron, .script.ron or .figure.ron file";
+        Kind::Clip => {
+            let clip = fit(&clip(path)?, figure)?;
+            return Ok(Editor::in_pose(figure.clone(), pose_at(figure, &clip, 0.0)));
+        }
+        Kind::Blend | Kind::Chain | Kind::Urdf | Kind::Glb => {
+            let message = "this shows no posed figure; give a .pose.ron, .script.ron, .clip.ron or .figure.ron file";
             return Err(Failure::Input(format!("{}: {message}", path.display())));
         }
     }

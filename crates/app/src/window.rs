@@ -77,5 +77,9 @@ fn posed(figure: Arc<Figure>, shown: Option<&PathBuf>) -> Result<Session, Failur
         let pose = load::pose(&figure, path)?;
         return Ok(Session::new(Editor::in_pose(figure, pose), Some(path.clone())));
     }
+    if Kind::of(path)? == Kind::Clip {
+        let message = "the window doesn't play clips yet; `posewright render` draws their frames";
+        return Err(Failure::Input(format!("{}: {message}", path.display())));
+    }
     load::editor(&figure, path).map(|editor| Session::new(editor, None))
 }

@@ -1,27 +1,29 @@
 //! `render`: pictures of a pose, still or moving.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, ValueEnum};
 use render::{Look, Pass, Style};
 use rig::{Projection, View};
 
+use super::clip_frames::{self, FrameSpan};
 use crate::failure::Failure;
 use crate::finish::Finish;
 use crate::load::{self, Kind};
 use crate::picture::{
-    Darkroom, Facts, Format, Moment, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable, write_png,
+    Darkroom, Facts, Format, Moment, Naming, Order, Shot, Subject, Viewpoint, Work, title_of, turntable,
+    write_png,
 };
 use crate::window::{Showing, chain_ui_picture, ui_picture};
 
 /// As many frames a turntable has at most.
-const MOST_FRAMES: u64 = 10_000;
+pub const MOST_FRAMES: u64 = 10_000;
 
 /// What `render` is told.
 #[derive(Args, Debug)]
 pub struct RenderArguments {
-    /// The pose, script or figure file.
+    /// The pose, script, clip or figure file.
     file: PathBuf,
     /// What to write: .png, .webp, .gif or .mp4; several frames as PNG need a folder/ or frame-%04d.png, several passes
     /// {pass}.
@@ -30,6 +32,33 @@ pub struct RenderArguments {
     /// Another figure, *.figure.ron.
     #[arg(long)]
     figure: Option<PathBuf>,
+    #[command(flatten)]
+    shot: ShotArguments,
+    #[command(flatten)]
+    floor: FloorArguments,
+    /// Turns the view once around the figure in so many frames.
+    #[arg(long, value_name = "FRAMES", value_parser = RangedU64ValueParser::<u64>::new().range(1..=MOST_FRAMES))]
+    turntable: Option<u64>,
+    /// Frames a second; a GIF can hold at most 50.
+    #[arg(long, default_value_t = 24, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=120))]
+    fps: u32,
+    /// Of a clip, the frames A to B, both included, or one; 0 is how it begins. Without it a still shows how the clip begins and
+    /// what moves or is numbered all of it.
+    #[arg(long, value_name = "A..B", conflicts_with_all = ["turntable", "ui"])]
+    frames: Option<FrameSpan>,
+    /// Writes the keypoints as well: the JSON of OpenPose, BODY_25 and hands, in pixels and in metres.
+    #[arg(long, value_name = "JSON")]
+    keypoints: Option<PathBuf>,
+    /// Draws the whole window with its panels.
+    #[arg(long, conflicts_with_all = ["turntable", "keypoints"])]
+    ui: bool,
+    #[command(flatten)]
+    showing: Showing,
+}
+
+/// Which pictures, from where, and how they look.
+#[derive(Args, Debug)]
+pub struct ShotArguments {
     /// Pixels; stills may be larger than the graphics adapter's limit.
     #[arg(long, default_value = "1280x800", value_parser = super::size, value_name = "WxH")]
     size: [u32; 2],
@@ -43,23 +72,51 @@ pub struct RenderArguments {
     style: StyleName,
     #[command(flatten)]
     look: LookArguments,
-    /// Turns the view once around the figure in so many frames.
-    #[arg(long, value_name = "FRAMES", value_parser = RangedU64ValueParser::<u64>::new().range(1..=MOST_FRAMES))]
-    turntable: Option<u64>,
-    /// Frames a second; a GIF can hold at most 50.
-    #[arg(long, default_value_t = 24, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=120))]
-    fps: u32,
-    /// For clips, which don't exist yet.
-    #[arg(long, value_name = "A..B", hide = true)]
-    frames: Option<String>,
-    /// Writes the keypoints as well: the JSON of OpenPose, BODY_25 and hands, in pixels and in metres.
-    #[arg(long, value_name = "JSON")]
-    keypoints: Option<PathBuf>,
-    /// Draws the whole window with its panels.
-    #[arg(long, conflicts_with_all = ["turntable", "keypoints"])]
-    ui: bool,
-    #[command(flatten)]
-    showing: Showing,
+}
+
+impl ShotArguments {
+    /// Width and height, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// From where.
+    pub fn viewpoint(&self) -> Viewpoint {
+        self.viewpoint.viewpoint()
+    }
+
+    /// How the colour picture looks.
+    pub fn look(&self) -> Look {
+        self.look.look(self.style)
+    }
+
+    /// Whether the surroundings are bright.
+    pub fn is_bright(&self) -> bool {
+        self.look.background == Background::Light
+    }
+
+    /// An order for these pictures.
+    ///
+    /// # Errors
+    /// An output that no picture has.
+    pub fn order(
+        &self,
+        title: String,
+        moments: Vec<Moment>,
+        output: &Path,
+        fps: u32,
+    ) -> Result<Order, Failure> {
+        Ok(Order {
+            title,
+            moments,
+            size: self.size,
+            passes: self.pass.iter().map(|pass| Pass::from(*pass)).collect(),
+            look: self.look(),
+            naming: Naming::of(output)?,
+            fps,
+            keypoints: None,
+        })
+    }
 }
 
 /// From where.
@@ -98,9 +155,6 @@ pub struct LookArguments {
     /// Leaves the background clear.
     #[arg(long)]
     transparent: bool,
-    /// What is on the ground: the grid and the shadow, the shadow alone, or nothing.
-    #[arg(long, default_value = "grid")]
-    ground: Ground,
     /// Dark or light surroundings.
     #[arg(long, default_value = "dark")]
     background: Background,
@@ -116,12 +170,25 @@ impl LookArguments {
             style: name.into(),
             joint_planes: self.wood || name == StyleName::Wood,
             transparent: self.transparent,
-            grid: self.ground == Ground::Grid,
-            ground_shadow: self.ground != Ground::None,
             supersampling: self.supersampling,
             ..Look::default()
         }
         .in_surroundings(self.background == Background::Light)
+    }
+}
+
+/// What is on the level ground.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct FloorArguments {
+    /// What is on the ground: the grid and the shadow, the shadow alone, or nothing.
+    #[arg(long, default_value = "grid")]
+    ground: Ground,
+}
+
+impl FloorArguments {
+    /// The look with such ground.
+    pub fn on(self, look: Look) -> Look {
+        Look { grid: self.ground == Ground::Grid, ground_shadow: self.ground != Ground::None, ..look }
     }
 }
 
@@ -201,12 +268,14 @@ fn zoom(text: &str) -> Result<f32, String> {
 
 /// Makes the pictures.
 pub fn render(told: &RenderArguments) -> Result<(), Failure> {
+    if Kind::of(&told.file)? == Kind::Clip && !told.ui && told.turntable.is_none() {
+        return clip(told);
+    }
     if told.frames.is_some() {
-        let message =
-            "--frames is for clips, which Posewright can't play yet; --turntable FRAMES goes around a pose";
+        let message = "--frames is for clips; --turntable FRAMES goes around a pose";
         return Err(Failure::Usage(message.to_owned()));
     }
-    let viewpoint = told.viewpoint.viewpoint();
+    let viewpoint = told.shot.viewpoint();
     let subject = if load::shows_chain(&told.file)? {
         if told.ui {
             return chain_window(told);
@@ -221,8 +290,7 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
         }
         Subject::of(&editor)
     };
-    let look = told.look.look(told.style);
-    let aspect = Shot::new(told.size).aspect();
+    let aspect = Shot::new(told.shot.size).aspect();
     let first = viewpoint.camera(subject.bounds(), aspect);
     let cameras = match told.turntable {
         Some(frames) => {
@@ -231,15 +299,32 @@ pub fn render(told: &RenderArguments) -> Result<(), Failure> {
         }
         None => vec![first],
     };
+    draw(told, title(told, &subject)?, Moment::from_all(&subject, cameras))
+}
+
+/// Frames of a clip.
+fn clip(told: &RenderArguments) -> Result<(), Failure> {
+    let figure = load::figure(told.figure.as_deref())?;
+    let clip = load::fit(&load::clip(&told.file)?, &figure)?;
+    let naming = Naming::of(&told.output)?;
+    let span = match &told.frames {
+        Some(span) => span.clone(),
+        None if naming.format.moves() || naming.tells_frames() => FrameSpan::whole(&clip, told.fps),
+        None => FrameSpan::first(),
+    };
+    let aspect = Shot::new(told.shot.size).aspect();
+    let viewpoint = told.shot.viewpoint();
+    let moments = clip_frames::moments(&figure, &clip, &span, told.fps, &viewpoint, aspect);
+    draw(told, title_of(&told.file), moments)
+}
+
+/// Carries out what is told for these moments.
+fn draw(told: &RenderArguments, title: String, moments: Vec<Moment>) -> Result<(), Failure> {
+    let order = told.shot.order(title, moments, &told.output, told.fps)?;
     let order = Order {
-        title: title(told, &subject)?,
-        moments: Moment::from_all(&subject, cameras),
-        size: told.size,
-        passes: told.pass.iter().map(|pass| Pass::from(*pass)).collect(),
-        look,
-        naming: Naming::of(&told.output)?,
-        fps: told.fps,
+        look: told.floor.on(order.look),
         keypoints: told.keypoints.as_deref().map(Naming::beside),
+        ..order
     };
     order.check()?;
     order.carry_out(&mut Darkroom::open()?, &Work::on_terminal())
@@ -258,8 +343,8 @@ fn window(told: &RenderArguments, editor: &edit::Editor, view: View) -> Result<(
     if Naming::of(&told.output)?.format != Format::Png {
         return Err(Failure::Usage("a picture of the window is a .png".to_owned()));
     }
-    let finish = Finish::of(&told.look.look(told.style));
-    let image = ui_picture(editor, &told.file, view, finish, told.size, &told.showing)?;
+    let finish = Finish::of(&told.shot.look());
+    let image = ui_picture(editor, &told.file, view, finish, told.shot.size, &told.showing)?;
     let facts = Facts::new(&title_of(&told.file), &editor.figure().name);
     write_png(&image, &facts, &told.output)
 }
@@ -269,8 +354,8 @@ fn chain_window(told: &RenderArguments) -> Result<(), Failure> {
     if Naming::of(&told.output)?.format != Format::Png {
         return Err(Failure::Usage("a picture of the window is a .png".to_owned()));
     }
-    let finish = Finish::of(&told.look.look(told.style));
-    let image = chain_ui_picture(&told.file, finish, told.size, &told.showing)?;
+    let finish = Finish::of(&told.shot.look());
+    let image = chain_ui_picture(&told.file, finish, told.shot.size, &told.showing)?;
     let title = title_of(&told.file);
     write_png(&image, &Facts::new(&title, &title), &told.output)
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use clap::{Args, ValueEnum as _};
 use rig::{Figure, View};
 
-use super::pictures::{LookArguments, StyleName};
+use super::pictures::{FloorArguments, LookArguments, StyleName};
 use crate::failure::Failure;
 use crate::library::shipped;
 use crate::load::{self, Kind};
@@ -40,6 +40,8 @@ pub struct SheetArguments {
     styles: Vec<StyleName>,
     #[command(flatten)]
     look: LookArguments,
+    #[command(flatten)]
+    floor: FloorArguments,
     /// Writes names below the tiles.
     #[arg(long)]
     labels: bool,
@@ -79,7 +81,7 @@ fn tiles(told: &SheetArguments) -> Result<Vec<Tile>, Failure> {
         for file in &told.files {
             let subject = Subject::of(&load::editor(figure, file)?);
             for style in &told.styles {
-                let look = on_plain(told.look.look(*style));
+                let look = on_plain(told.floor.on(told.look.look(*style)));
                 let title = title(told, file, &subject, &words_of(*style), figures.len());
                 tiles.push(Tile { subject: subject.clone(), look, title });
             }

@@ -61,8 +61,16 @@ impl Order {
     /// # Errors
     /// They don't: why, and what would.
     pub fn check(&self) -> Result<(), Failure> {
+        self.check_for(self.moments.len())
+    }
+
+    /// Whether the files suit so many frames, which may not be there yet.
+    ///
+    /// # Errors
+    /// As [`Order::check`].
+    pub fn check_for(&self, frames: usize) -> Result<(), Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
-        let (naming, several) = (&self.naming, self.moments.len() > 1);
+        let (naming, several) = (&self.naming, frames > 1);
         if self.passes.len() > 1 && !naming.tells_passes() {
             return usage(&format!("several passes need {PASS} in the name of the output"));
         }

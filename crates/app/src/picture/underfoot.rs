@@ -2,19 +2,20 @@
 
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3};
 use motion::Ground;
 use render::FigureView;
-use rig::{Bone, Mesh, Palette};
+use rig::{Mesh, Palette};
 
 /// The patch moves in steps of so many metres, so that a figure that walks doesn't change it at every step.
 const STEP_M: f64 = 2.0;
-/// The edge of a square of the patch, metres.
-const SQUARE_M: f64 = 0.125;
 /// How far beyond the middle the patch reaches at least and at most, metres.
 const REACH_M: [f64; 2] = [6.0, 24.0];
-/// Linear colours in dark and in bright surroundings.
-const COLORS: [[f32; 3]; 2] = [[0.105, 0.110, 0.118], [0.50, 0.51, 0.53]];
+/// Linear colours of tops and of sides and gaps, in dark and in bright surroundings.
+const COLORS: [[[f32; 3]; 2]; 2] =
+    [[[0.105, 0.110, 0.118], [0.060, 0.063, 0.068]], [[0.50, 0.51, 0.53], [0.30, 0.31, 0.33]]];
+/// Below this red a patch means sides and gaps.
+const DARKER: f32 = 0.45;
 
 /// A patch of ground, ready to be drawn. Equal patches are one and the same allocation.
 #[derive(Clone, Debug)]
@@ -34,11 +35,11 @@ impl Underfoot {
     /// Bad numbers give a patch around the origin, as small as patches are.
     pub fn around(ground: &Ground, place: DVec3, camera_distance_m: f64, bright: bool) -> Underfoot {
         let (middle, reach_m) = extent(place, camera_distance_m);
-        let mesh = mesh(ground, middle, reach_m, COLORS[usize::from(bright)]);
+        let mesh = mesh(ground, middle, reach_m, bright);
         Underfoot(Arc::new(Patch { mesh, middle, reach_m, bright }))
     }
 
-    /// The same patch as long as it does for that place, camera and surroundings, else a new one.
+    /// The same patch as long as it does for that place, camera and surroundings, else a new one. The ground must be the same.
     #[must_use]
     pub fn following(
         &self,
@@ -87,35 +88,20 @@ fn extent(place: DVec3, camera_distance_m: f64) -> (DVec2, f64) {
     (DVec2::new(stepped(place.x), stepped(place.z)), reach_m)
 }
 
-fn mesh(ground: &Ground, middle: DVec2, reach_m: f64, color: [f32; 3]) -> Mesh {
-    let count = (2.0 * reach_m / SQUARE_M).round() as u32;
-    let mut mesh = Mesh::default();
-    for j in 0..=count {
-        for i in 0..=count {
-            let at = middle - reach_m + SQUARE_M * DVec2::new(f64::from(i), f64::from(j));
-            let point = ground.under(at.x, at.y);
-            let place = DVec3::new(at.x, point.height, at.y).as_vec3();
-            push(&mut mesh, place, point.normal.as_vec3(), color);
-        }
-    }
-    let row = count + 1;
-    for corner in (0..count).flat_map(|j| (0..count).map(move |i| j * row + i)) {
-        let [a, b, c, d] = [corner, corner + 1, corner + row, corner + row + 1];
-        mesh.indices.extend([a, c, b, b, c, d]);
+/// The patch in one light colour and one dark one; the grid's lines tell how large it is.
+fn mesh(ground: &Ground, middle: DVec2, reach_m: f64, bright: bool) -> Mesh {
+    let mut mesh = ground.patch(middle, reach_m);
+    let [top, side] = COLORS[usize::from(bright)];
+    for color in &mut mesh.colors {
+        *color = if color[0] < DARKER { side } else { top };
     }
     mesh
 }
 
-fn push(mesh: &mut Mesh, place: Vec3, normal: Vec3, color: [f32; 3]) {
-    mesh.positions.push(place.to_array());
-    mesh.normals.push(normal.to_array());
-    mesh.colors.push(color);
-    mesh.joints.push([Bone::Hips.index() as u8, 0, 0, 0]);
-    mesh.weights.push([u16::MAX, 0, 0, 0]);
-}
-
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
 
     #[test]
