@@ -3,6 +3,7 @@
 
 mod chains;
 mod check;
+mod clips;
 mod display;
 mod launch;
 mod machine;
@@ -23,6 +24,7 @@ Usage: cargo xtask <COMMAND>
   sculpt [--preview DIR [--only PART]]
                          make the shipped figure anew, or only draw it or a part of it
   chains                 make the meshes of the shipped chains anew
+  clips                 make the shipped clips of motion anew
   pictures [NAME…]       make the pictures of the README and the guide anew; `pictures sheet` the contact sheet alone
 
 `run` and `test` first install the system packages that are missing on Debian and Ubuntu, where they may.";
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
         ("test", []) => check::test(),
         ("lint", []) => check::lint(),
         ("chains", []) => chains::run(),
+        ("clips", []) => clips::run(),
         ("sculpt", args) => sculpt::run(args),
         ("pictures", names) => pictures::run(names),
         ("help" | "--help" | "-h", _) => {
