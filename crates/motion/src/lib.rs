@@ -1,5 +1,6 @@
 //! Animation: clips, blend trees, ground, and feet placed on it. No disk, no clock: time is handed in.
 
+mod additive;
 mod bearing;
 mod cells;
 mod clip;
@@ -9,8 +10,10 @@ mod feather;
 mod fitted;
 mod ground;
 mod leg;
+mod mirrored;
 mod placement;
 mod refit;
+mod retimed;
 mod sample;
 mod soles;
 mod steering;

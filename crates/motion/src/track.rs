@@ -146,6 +146,14 @@ impl<T: Keyed> Track<T> {
     }
 }
 
+impl<T: Copy> Track<T> {
+    /// The track with every key's value changed.
+    pub(crate) fn map(&self, change: impl Fn(T) -> T) -> Track<T> {
+        let keys = self.keys.iter().map(|key| Key { at_secs: key.at_secs, value: change(key.value) });
+        Track { mode: self.mode, keys: keys.collect() }
+    }
+}
+
 impl Track<Angles> {
     /// The angles at a time, seconds, as [`Track::at`] has them; in [`Mode::Linear`] a ball joint goes by the shortest
     /// turn. `None` for the joint takes every angle on its own.
