@@ -29,7 +29,7 @@ pub(super) struct FootState {
     /// The plane against the fitted one: rise along x, height at the pivot, rise along z.
     lift: Fade<DVec3>,
     plane: Plane,
-    /// The motion's heel and ball, and its yaw.
+    /// The motion's heel and place of roll, and its yaw.
     flat: [DVec3; 2],
     yaw: f64,
     /// Where the foot was to be.
@@ -66,7 +66,7 @@ fn level(point: DVec3) -> DVec2 {
 impl FootState {
     /// Goes on by a moment, and says where the foot should be.
     pub fn step(&mut self, foot: &Foot, ground: &Ground, now: &Moment) -> Target {
-        let flat = [foot.heel, foot.ball].map(|point| now.flat.point(point));
+        let flat = [foot.heel, foot.roll].map(|point| now.flat.point(point));
         let yaw = yaw(now.flat.rotation);
         let holds = |bearing: f64| smooth(bearing, 0.0, HOLDS);
         let (heel, ball) = (holds(now.bearing.heel), holds(now.bearing.ball));
@@ -77,7 +77,7 @@ impl FootState {
         let part = usize::from(!self.on_heel);
         self.slip(flat, yaw, part, heel.max(ball), now.dt_secs);
         let at = level(flat[part]) + DVec2::new(self.slip.value.x, self.slip.value.z);
-        let in_foot = if self.on_heel { foot.heel } else { foot.ball };
+        let in_foot = if self.on_heel { foot.heel } else { foot.roll };
         let turned = DQuat::from_rotation_y(yaw + self.slip.value.y);
         let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
         let fitted = Plane::under(ground, at, &print);
@@ -89,7 +89,11 @@ impl FootState {
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
-        Target { frame: self.placed, pivot_in_foot: in_foot, pivot, plane, ball }
+        // Where the ankle can't turn so far, the foot turns about the end that is lower in the motion.
+        let heel_is_lower = now.flat.point(foot.ball).y - flat[0].y;
+        let pivot_in_foot =
+            foot.roll.lerp(foot.heel, smooth(heel_is_lower, 0.0, 0.2 * foot.heel.distance(foot.ball)));
+        Target { frame: self.placed, pivot_in_foot, pivot: self.placed.point(pivot_in_foot), plane, ball }
     }
 
     /// Changes the part about which the foot turns, and leaves the foot where it was.
@@ -98,7 +102,7 @@ impl FootState {
             return;
         }
         self.on_heel = heel;
-        let (part, in_foot) = if heel { (0, foot.heel) } else { (1, foot.ball) };
+        let (part, in_foot) = if heel { (0, foot.heel) } else { (1, foot.roll) };
         let off = self.placed.point(in_foot) - self.flat[part];
         if self.placed != Frame::IDENTITY {
             self.slip.value = DVec3::new(off.x, self.slip.value.y, off.z);

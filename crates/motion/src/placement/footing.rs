@@ -23,6 +23,8 @@ pub(super) struct Foot {
     /// The middle of the heel and of the ball, in the foot's frame.
     pub heel: DVec3,
     pub ball: DVec3,
+    /// About which the foot rolls off: the toes' joint, else the ball.
+    pub roll: DVec3,
     /// Where the ground is asked for, in the foot's frame with the toes at rest.
     pub print: [DVec3; 5],
     pub toes: Option<Toes>,
@@ -76,6 +78,7 @@ impl Foot {
         Foot {
             heel: at_rest(Sole::HEEL),
             ball: at_rest(Sole::BALL),
+            roll: joint.map_or(at_rest(Sole::BALL), |toes| toes.offset),
             print: [Sole::HEEL + 1, Sole::HEEL + 2, Sole::BALL + 1, Sole::BALL + 2, Sole::TOES].map(at_rest),
             toes: joint
                 .filter(|_| points[Sole::TOES].1)

@@ -11,8 +11,6 @@ use crate::{Bend, Sample};
 
 /// How quickly the hips go down for a leg, 1/s.
 const DROPS: f64 = 14.0;
-/// Within so much of each other, the needs of both legs are eased into one, metres.
-const BLEND_M: f64 = 0.02;
 
 /// The ground around the hips.
 pub(super) struct Around {
@@ -68,14 +66,8 @@ impl Reach<'_> {
             let highest = ankle.y + (reach * reach - away).max(0.0).sqrt();
             highest - hip.y - around
         });
-        let need = softest(softest(needs[0], needs[1]), 0.0).min(0.0);
+        let need = needs[0].min(needs[1]).min(0.0);
         state.follow(need, DROPS, dt_secs, at_once);
         state.value.min(0.0)
     }
-}
-
-/// The lesser of two, eased where they are near each other; never more than either.
-fn softest(a: f64, b: f64) -> f64 {
-    let near = (1.0 - (a - b).abs() / BLEND_M).max(0.0);
-    a.min(b) - 0.25 * BLEND_M * near * near
 }
