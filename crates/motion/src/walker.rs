@@ -38,8 +38,8 @@ impl Default for Smoothing {
 /// A figure that walks. Same start, same steps, same bits.
 #[derive(Clone, Debug)]
 pub struct Walker {
-    /// Whether feet are placed on the ground, if the tree does so. Without, they are where they are over flat ground. Between
-    /// steps they don't jump: it takes 0.3 s to come into force, except before the first step.
+    /// Whether feet are placed on the ground, if the tree does so. Without, they go as over flat ground that is as high as the
+    /// ground under the figure. Between steps they don't jump: a change takes 0.3 s to come into force, except before the first.
     pub feet_on_ground: bool,
     /// How fast it follows its steering; `None`: at once.
     pub smoothing: Option<Smoothing>,
@@ -109,20 +109,26 @@ impl Walker {
         let goal = if self.feet_on_ground && self.tree.placement().is_some() { 1.0 } else { 0.0 };
         let former = self.switched.unwrap_or(goal);
         let most = dt_secs / SWITCH_SECS;
+        let Place { position, .. } = self.pose.place;
+        let height = ground.under(position.x, position.z).height;
         let switched = former + (goal - former).clamp(-most, most);
         self.switched = Some(switched);
         if switched == 0.0 {
             // Feet that are put down again stand where they then are.
             self.feet_state = FeetState::default();
+            self.placed.hips.y += height;
             return self.look_at_feet(ground);
         }
-        let Some(footing) = &self.footing else { return };
+        let Some(footing) = &self.footing else {
+            self.placed.hips.y += height;
+            return;
+        };
         let settings = self.tree.placement().copied().unwrap_or_default();
         let (place, state) = (&self.pose.place, &mut self.feet_state);
         place_feet(footing, ground, place, &mut self.placed, &settings, state, dt_secs, &mut self.feet);
         if switched < 1.0 {
             let (part, seen) = (Feather::Smooth.at(switched), [0, 1].map(|side| Seen::of(&self.feet[side])));
-            toward(&mut self.placed, self.state.sample(), 1.0 - part);
+            toward(&mut self.placed, self.state.sample(), height, 1.0 - part);
             self.look_at_feet(ground);
             self.feet.iter_mut().zip(seen).for_each(|(foot, seen)| seen.put(foot, part));
         }
@@ -239,9 +245,9 @@ impl Seen {
     }
 }
 
-/// Takes a sample some part of the way to another.
-fn toward(sample: &mut Sample, other: &Sample, part: f64) {
-    sample.hips = sample.hips.lerp(other.hips, part);
+/// Takes a sample some part of the way to another that is raised.
+fn toward(sample: &mut Sample, other: &Sample, raised: f64, part: f64) {
+    sample.hips = sample.hips.lerp(other.hips + DVec3::Y * raised, part);
     for (angles, other) in sample.angles.iter_mut().zip(&other.angles) {
         angles.flexion += (other.flexion - angles.flexion) * part;
         angles.abduction += (other.abduction - angles.abduction) * part;
@@ -252,7 +258,8 @@ fn toward(sample: &mut Sample, other: &Sample, part: f64) {
 impl Smoothing {
     /// From one steering toward another, no faster than allowed.
     fn toward(&self, from: &Steering, to: &Steering, dt_secs: f64) -> Steering {
-        let limit = |x: f64| if x > 0.0 { x * dt_secs } else { 0.0 };
+        // Also without NaN: no time at no end of acceleration.
+        let limit = |x: f64| if x * dt_secs > 0.0 { x * dt_secs } else { 0.0 };
         let way = DVec2::new(to.forward - from.forward, to.sideways - from.sideways);
         let way = way.clamp_length_max(limit(self.acceleration));
         let toward = |from: f64, to: f64, most: f64| from + (to - from).clamp(-most, most);
