@@ -31,6 +31,10 @@ const ANKLE_HEIGHT: f64 = 0.039 / 0.152;
 /// The part of the foot's breadth that touches the ground, and how it is shared at the ball, as the mannequin has it.
 const TOUCHING: f64 = 0.85;
 const OUTER_SHARE: f64 = 0.6;
+/// Heel and toes are round, the sole is flat: its corners are where it touches ground that is tilted so, degrees, as when
+/// the heel comes down and the toes leave.
+const HEEL_PITCH: f64 = 18.0;
+const TOES_PITCH: f64 = 30.0;
 /// Skin up to here above the sole's plane still counts as sole, over foot length: 3 mm.
 const UNDERSIDE: f64 = 0.012;
 
@@ -105,11 +109,11 @@ fn sole(figure: &Figure, leg: Limb) -> Option<Sole> {
     let toes = if foot == Bone::RightFoot { Bone::RightToes } else { Bone::LeftToes };
     let toes = figure.skeleton.joint(toes).map_or(foot, |_| toes);
     let mut line = outline(figure, leg, foot, toes);
-    let underside = figure.skin.as_ref().map(|skin| underside(skin, foot, toes, &line)).unwrap_or_default();
-    // The heel is round: what the skin has behind the articulator touches first.
-    let near = underside.iter().filter(|p| (p.x - line.x).abs() < 0.1 * line.length());
-    let (back, front) = near.fold((line.heel_z, line.toes_z), |(a, b), p| (a.min(p.z), b.max(p.z)));
-    (line.heel_z, line.toes_z) = (back, front);
+    let skin = figure.skin.as_ref().map(|skin| skin_of_foot(skin, foot, toes)).unwrap_or_default();
+    line.heel_z = -corner(&skin, line.y, -1.0, HEEL_PITCH).unwrap_or(-line.heel_z);
+    line.toes_z = corner(&skin, line.y, 1.0, TOES_PITCH).unwrap_or(line.toes_z);
+    let height = UNDERSIDE * line.length();
+    let underside: Vec<DVec3> = skin.into_iter().filter(|p| p.y < line.y + height).collect();
     let breadths = [0.5, 1.0, 0.9].map(|share| share * TOUCHING * BREADTH * line.length());
     let shares = [0.5, OUTER_SHARE, OUTER_SHARE];
     let middles = [line.heel_z, line.ball_z, line.toes_z];
@@ -153,22 +157,28 @@ fn outline(figure: &Figure, leg: Limb, foot: Bone, toes: Bone) -> Outline {
     Outline {
         x: ball.x,
         y,
-        heel_z: heel.z - 0.1 * (ball.z - heel.z).abs(),
+        heel_z: heel.z - 0.034 * (ball.z - heel.z).abs(),
         ball_z: ball.z,
         // The tip of a round toe is in front of where it touches.
-        toes_z: tip.z - 0.5 * (tip.y - y).abs(),
+        toes_z: tip.z - 0.08 * (tip.y - y).abs(),
     }
 }
 
-/// The skin of foot and toes that touches the sole's plane at rest.
-fn underside(skin: &Mesh, foot: Bone, toes: Bone, line: &Outline) -> Vec<DVec3> {
+/// The skin of foot and toes at rest.
+fn skin_of_foot(skin: &Mesh, foot: Bone, toes: Bone) -> Vec<DVec3> {
     let of_foot = |vertex: usize| {
         let heaviest = (0..4).max_by_key(|&k| skin.weights[vertex][k]).unwrap_or(0);
         let bone = bone_of_place(usize::from(skin.joints[vertex][heaviest]));
         bone == foot || bone == toes
     };
-    let height = UNDERSIDE * line.length();
     let positions = skin.positions.iter().map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into()));
-    let touching = positions.enumerate().filter(|(i, p)| p.y < line.y + height && of_foot(*i));
-    touching.map(|(_, p)| p).collect()
+    positions.enumerate().filter(|(i, _)| of_foot(*i)).map(|(_, p)| p).collect()
+}
+
+/// How far ahead (or behind, for -1) the plane of the sole meets ground that is tilted so and touches the skin, metres;
+/// `None` without skin.
+fn corner(skin: &[DVec3], sole_y: f64, ahead: f64, tilt_degrees: f64) -> Option<f64> {
+    let (sine, cosine) = tilt_degrees.to_radians().sin_cos();
+    let least = skin.iter().map(|p| (p.y - sole_y) * cosine - p.z * ahead * sine).reduce(f64::min)?;
+    Some(-least / sine)
 }

@@ -3,15 +3,17 @@
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
 mod figures;
+mod footing;
 mod stepping;
 
 use std::sync::OnceLock;
 
 use figures::shipped;
+use footing::feet;
 use glam::DVec3;
 use motion::{Clip, FittedClip, Mode, Sample, parse_clip, write_clip};
 use rig::{Bone, Figure, frames, mirrored_pose};
-use stepping::{feet, walk};
+use stepping::walk;
 
 const SMALL: &str = include_str!("fixtures/small.clip.ron");
 

@@ -3,14 +3,16 @@
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
 mod figures;
+mod footing;
 mod stepping;
 
 use std::sync::OnceLock;
 
 use figures::{all_shipped, shipped};
+use footing::feet;
 use motion::{Clip, FitError, FittedClip, Sample, Travel};
 use rig::{Bone, Dof, Figure, Place};
-use stepping::{feet, walk};
+use stepping::walk;
 
 fn mannequin() -> &'static Figure {
     static FIGURE: OnceLock<Figure> = OnceLock::new();
