@@ -9,9 +9,9 @@ macro_rules! texts {
     };
 }
 
-const CLIPS: &[(&str, &str)] = texts! { "clips": };
+const CLIPS: &[(&str, &str)] = texts! { "clips": "idle.clip.ron" "walk.clip.ron" };
 
-const TREES: &[(&str, &str)] = texts! { "blend": };
+const TREES: &[(&str, &str)] = texts! { "blend": "walk.blend.ron" };
 
 /// How a command names the tree by which figures walk unless another is given.
 pub const TREE: &str = "library:walk.blend.ron";
