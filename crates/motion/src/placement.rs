@@ -10,6 +10,7 @@ mod fade;
 mod foot;
 mod footing;
 mod hips;
+mod landing;
 mod plane;
 mod stand;
 mod toes;
@@ -18,7 +19,7 @@ use glam::DVec3;
 use rig::{Frame, Place};
 use serde::{Deserialize, Serialize};
 
-use crate::{Ground, Sample};
+use crate::{Bend, Ground, Leg, Sample};
 
 pub use footing::Footing;
 pub use stand::stand;
@@ -44,6 +45,19 @@ impl Default for PlacementSettings {
     }
 }
 
+impl PlacementSettings {
+    /// How near full stretch a leg begins to ease, metres.
+    fn softness_m(&self, leg: &Leg) -> f64 {
+        self.softness.clamp(0.0, 0.2) * leg.full_reach()
+    }
+
+    /// How far from the hip an ankle may be before something gives way, metres: where the leg begins to ease, or where the
+    /// motion itself has it.
+    fn reach(&self, leg: &Leg, bend: &Bend) -> f64 {
+        (leg.full_reach() - self.softness_m(leg)).max(bend.distance)
+    }
+}
+
 /// What the placement remembers from step to step. The default stands where the next step finds the feet.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct FeetState {
@@ -52,6 +66,7 @@ pub struct FeetState {
     drop: Fade<f64>,
     /// Forward lean, degrees.
     lean: Fade<f64>,
+    place: Place,
     begun: bool,
 }
 
@@ -102,15 +117,28 @@ pub fn place_feet(
     let sound =
         level.position.is_finite() && flat.iter().all(|f| f.position.is_finite() && f.rotation.is_finite());
     if settings.on && sound {
+        let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
         let targets = [0, 1].map(|side| {
-            let bearing = sample.bearing[side];
-            let now = foot::Moment { flat: flat[side], bearing, dt_secs, at_once };
+            let leg = &footing.legs.sides[side];
+            let now = foot::Moment {
+                flat: flat[side],
+                bearing: sample.bearing[side],
+                world_from_figure: &world_from_figure,
+                hip: leg.hip(flat_hips),
+                reach: settings.reach(leg, &bends[side]),
+                dt_secs,
+                at_once,
+            };
             state.feet[side].step(&footing.feet[side], ground, &now)
         });
-        let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
+        let going = Going::on(state.place, &level, dt_secs, at_once);
+        state.place = level;
+        let coming = [0, 1].map(|side| {
+            state.feet[side].landing.coming(&footing.feet[side], ground, |secs| going.after(secs))
+        });
         let around = hips::around(&world_from_figure, sample, &targets);
         let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
-        drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
+        drop = reach.drop(flat_hips, around.height, &targets, &coming, &mut state.drop, dt_secs, at_once);
         sample.hips.y += around.height + drop;
         let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
         state.lean.follow(lean, 3.0, dt_secs, at_once);
@@ -118,7 +146,8 @@ pub fn place_feet(
         let placed_hips = footing.hips(sample);
         for side in 0..2 {
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], sample);
+            let rise = &mut state.feet[side].rise;
+            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], rise, dt_secs, sample);
             toes::bend(footing, side, ground, &world_from_figure, placed_hips, &targets[side], sample);
         }
         state.begun = true;
@@ -126,6 +155,31 @@ pub fn place_feet(
     for side in 0..2 {
         let seen = Seen { flat: flat[side], drop, sole_is_down: soles[side] };
         view(footing, side, ground, &world_from_figure, sample, &seen, &mut views[side]);
+    }
+}
+
+/// How the figure goes on.
+struct Going {
+    place: Place,
+    velocity: DVec3,
+    turn_rate: f64,
+}
+
+impl Going {
+    fn on(before: Place, place: &Place, dt_secs: f64, at_once: bool) -> Going {
+        let per_sec = if at_once { 0.0 } else { 1.0 / dt_secs };
+        Going {
+            place: *place,
+            velocity: (place.position - before.position) * per_sec,
+            turn_rate: (place.turn - before.turn) * per_sec,
+        }
+    }
+
+    /// Where it is after so many seconds.
+    fn after(&self, secs: f64) -> Frame {
+        let (position, turn) =
+            (self.place.position + self.velocity * secs, self.place.turn + self.turn_rate * secs);
+        Place { position, turn }.world_from_figure()
     }
 }
 
@@ -137,7 +191,7 @@ struct Seen {
 }
 
 /// From here on a part of the sole counts as standing.
-const STANDS: f64 = 0.5;
+const STANDS: f64 = 0.95;
 
 fn view(
     footing: &Footing,

@@ -2,11 +2,12 @@
 
 use glam::{DQuat, DVec2, DVec3};
 use kin::wrapped;
-use rig::Frame;
+use rig::{Dof, Frame};
 
 use super::PlacementSettings;
 use super::fade::{Fade, smooth};
 use super::footing::{Foot, Footing};
+use super::landing::{Landing, Touch};
 use super::plane::Plane;
 use crate::{Bearing, Bend, FootGoal, Ground, Sample};
 
@@ -16,8 +17,18 @@ const SLIP_FADES: f64 = 16.0;
 const PLANE_FADES: f64 = 22.0;
 /// The bearing from which on a part of the sole holds wholly.
 const HOLDS: f64 = 0.6;
-/// Rounds in which a foot that its ankle can't turn far enough settles.
-const ROUNDS: usize = 4;
+/// Rounds in which a foot settles whose ankle can't bend far enough, and the angle at which it has, radians.
+const ROUNDS: usize = 5;
+const NEAR: f64 = 1e-3;
+/// What is kept in reserve of the ankle's range, radians.
+const RESERVE: f64 = 0.03;
+/// How quickly a heel that has to rise does so, and how quickly it comes down again, 1/s.
+const RISES: f64 = 40.0;
+const FALLS: f64 = 12.0;
+/// The most by which a heel rises to help a leg reach, radians.
+const MOST_RISE: f64 = 0.7;
+/// From here on a foot rolls off: the heel's height over the ball's, over their distance.
+const ROLLS: f64 = 0.3;
 /// A sole whose ends are nearer to where they should be than this stands, metres.
 const ON_PLANE_M: f64 = 0.006;
 
@@ -32,18 +43,39 @@ pub(super) struct FootState {
     /// The motion's heel and place of roll, and its yaw.
     flat: [DVec3; 2],
     yaw: f64,
+    pub landing: Landing,
+    /// By how much the heel is up for the leg's and the ankle's sake, radians.
+    pub rise: Fade<f64>,
     /// Where the foot was to be.
     placed: Frame,
     on_heel: bool,
 }
 
 /// What a foot's step is made of.
-pub(super) struct Moment {
+pub(super) struct Moment<'a> {
     /// `world_from_foot` of the motion on flat ground.
     pub flat: Frame,
     pub bearing: Bearing,
+    pub world_from_figure: &'a Frame,
+    /// The hip's joint over flat ground, figure space.
+    pub hip: DVec3,
+    /// How far from it the ankle may be, metres.
+    pub reach: f64,
     pub dt_secs: f64,
     pub at_once: bool,
+}
+
+impl Moment<'_> {
+    fn touch(&self, foot: &Foot) -> Touch {
+        let flat = self.world_from_figure.inverse().then(self.flat);
+        Touch {
+            ankle: flat.position,
+            roll: flat.point(foot.roll),
+            hip: self.hip,
+            yaw: yaw(flat.rotation),
+            reach: self.reach,
+        }
+    }
 }
 
 /// Where a foot should be.
@@ -51,12 +83,51 @@ pub(super) struct Moment {
 pub(super) struct Target {
     /// `world_from_foot`.
     pub frame: Frame,
-    /// About which it turns if the ankle can't: in the foot's frame, and in the world.
-    pub pivot_in_foot: DVec3,
-    pub pivot: DVec3,
+    heel: DVec3,
+    roll: DVec3,
+    /// By how much the ball is above the heel, against the plane, radians; 0 where it is lower.
+    toes_up: f64,
+    /// How far the foot rolls off over its ball, 0 to 1: then the heel may rise as much as a leg needs.
+    pub rolls: f64,
     pub plane: Plane,
     /// How firmly the ball holds.
     pub ball: f64,
+}
+
+impl Target {
+    /// The foot with its heel higher by an angle in radians, 0 or more: toes that are up come down first, about the heel;
+    /// then the foot rolls over its ball.
+    pub fn raised(&self, angle: f64) -> Frame {
+        if angle <= 0.0 {
+            return self.frame;
+        }
+        let about = |frame: Frame, point: DVec3, angle: f64| {
+            let rotation = frame.rotation * DQuat::from_rotation_x(angle);
+            Frame::new(rotation, frame.point(point) - rotation * point)
+        };
+        let down = angle.min(self.toes_up);
+        about(about(self.frame, self.heel, down), self.roll, angle - down)
+    }
+
+    /// The least angle by which the heel rises so that the ankle is within a distance of a place (a hip), at most
+    /// [`MOST_RISE`]; 0 if it is, or if rising doesn't help.
+    pub fn rise_to_reach(&self, hip: DVec3, reach: f64) -> f64 {
+        if self.frame.position.distance(hip) <= reach {
+            return 0.0;
+        }
+        let flat = self.raised(self.toes_up);
+        // |w + Rx(angle) v| = reach, seen from the foot: a cos(angle) + b sin(angle) = c.
+        let w = flat.rotation.conjugate() * (flat.point(self.roll) - hip);
+        let v = -self.roll;
+        let (a, b) = (w.y * v.y + w.z * v.z, w.z * v.y - w.y * v.z);
+        let c = 0.5 * (reach * reach - w.length_squared() - v.length_squared()) - w.x * v.x;
+        let most = a.hypot(b);
+        if b >= 0.0 || most < 1e-9 {
+            return 0.0;
+        }
+        let rolled = b.atan2(a) + (c / most).clamp(-1.0, 1.0).acos();
+        (self.toes_up + rolled.max(0.0)).min(MOST_RISE)
+    }
 }
 
 fn level(point: DVec3) -> DVec2 {
@@ -65,14 +136,16 @@ fn level(point: DVec3) -> DVec2 {
 
 impl FootState {
     /// Goes on by a moment, and says where the foot should be.
-    pub fn step(&mut self, foot: &Foot, ground: &Ground, now: &Moment) -> Target {
+    pub fn step(&mut self, foot: &Foot, ground: &Ground, now: &Moment<'_>) -> Target {
         let flat = [foot.heel, foot.roll].map(|point| now.flat.point(point));
         let yaw = yaw(now.flat.rotation);
         let holds = |bearing: f64| smooth(bearing, 0.0, HOLDS);
         let (heel, ball) = (holds(now.bearing.heel), holds(now.bearing.ball));
         if now.at_once {
-            *self = FootState { flat, yaw, ..FootState::default() };
+            *self = FootState { flat, yaw, landing: self.landing, ..FootState::default() };
         }
+        let touch = || now.touch(foot);
+        self.landing.step(heel.max(ball), touch, now.dt_secs, now.at_once);
         self.turn_about(foot, heel > ball);
         let part = usize::from(!self.on_heel);
         self.slip(flat, yaw, part, heel.max(ball), now.dt_secs);
@@ -89,11 +162,18 @@ impl FootState {
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
-        // Where the ankle can't turn so far, the foot turns about the end that is lower in the motion.
-        let heel_is_lower = now.flat.point(foot.ball).y - flat[0].y;
-        let pivot_in_foot =
-            foot.roll.lerp(foot.heel, smooth(heel_is_lower, 0.0, 0.2 * foot.heel.distance(foot.ball)));
-        Target { frame: self.placed, pivot_in_foot, pivot: self.placed.point(pivot_in_foot), plane, ball }
+        // How the motion's sole lies to flat ground: with the toes up, or with the heel.
+        let up = now.flat.point(foot.ball).y - flat[0].y;
+        let length = foot.heel.distance(foot.ball);
+        Target {
+            frame: self.placed,
+            heel: foot.heel,
+            roll: foot.roll,
+            toes_up: (up / length).clamp(0.0, 1.0).asin(),
+            rolls: smooth(-up / length, 0.0, ROLLS),
+            plane,
+            ball,
+        }
     }
 
     /// Changes the part about which the foot turns, and leaves the foot where it was.
@@ -150,26 +230,67 @@ pub(super) struct Grip<'a> {
 }
 
 impl Grip<'_> {
-    /// Bends the leg so that the foot is at its target, and says whether its sole lies as it should. Where the ankle
-    /// can't turn so far, the pivot keeps its place: the heel comes up.
-    pub fn hold(&self, hips: Frame, target: &Target, bend: &Bend, sample: &mut Sample) -> bool {
+    /// Bends the leg so that the foot is at its target, and says whether its sole lies as it should. Where the leg can't
+    /// reach or the ankle can't bend so far, the heel comes up, and down again slowly.
+    pub fn hold(
+        &self,
+        hips: Frame,
+        target: &Target,
+        bend: &Bend,
+        rise: &mut Fade<f64>,
+        dt_secs: f64,
+        sample: &mut Sample,
+    ) -> bool {
+        let needed = self.needed_rise(hips, target, bend, sample);
+        let quickness = if needed > rise.value { RISES } else { FALLS };
+        rise.follow(needed, quickness, dt_secs, dt_secs == 0.0);
+        rise.value = rise.value.max(0.0);
+        self.solve(hips, target, rise.value, bend, sample);
         let leg = &self.footing.legs.sides[self.side];
-        let figure_from_world = self.world_from_figure.inverse();
-        let wanted = figure_from_world.then(target.frame);
-        let pivot = figure_from_world.point(target.pivot);
-        let softness = self.settings.softness.clamp(0.0, 0.2) * leg.full_reach();
-        let mut ankle = wanted.position;
+        let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
+        let foot = &self.footing.feet[self.side];
+        [foot.heel, foot.ball].iter().all(|p| held.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
+    }
+
+    /// The least angle by which the heel has to rise, radians.
+    fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, sample: &Sample) -> f64 {
+        let leg = &self.footing.legs.sides[self.side];
+        let mut tried = sample.clone();
+        let hip = self.world_from_figure.point(leg.hip(hips));
+        let may = MOST_RISE * target.rolls.max(target.ball);
+        let mut rise = target.rise_to_reach(hip, self.settings.reach(leg, bend)).min(may);
+        let mut beyond = self.solve(hips, target, rise, bend, &mut tried) + RESERVE;
+        if beyond <= 0.0 {
+            return rise;
+        }
+        // The ankle's angle falls a little more slowly than the heel rises.
+        let (mut low, mut low_beyond) = (rise, beyond);
+        rise += 1.3 * beyond;
         for _ in 0..ROUNDS {
-            let goal = FootGoal { ankle, rotation: wanted.rotation };
-            let miss = leg.solve(hips, &goal, bend, softness, &mut sample.angles);
-            if miss.foot_degrees < 0.01 {
+            beyond = self.solve(hips, target, rise, bend, &mut tried) + RESERVE;
+            if beyond.abs() < NEAR || (beyond - low_beyond).abs() < 1e-9 {
                 break;
             }
-            let rotation = leg.ankle_and_foot(hips, &sample.angles).rotation;
-            ankle = pivot - rotation * target.pivot_in_foot;
+            let next = rise - beyond * (rise - low) / (beyond - low_beyond);
+            (low, low_beyond) = (rise, beyond);
+            rise = next.clamp(0.0, MOST_RISE);
         }
-        let held = leg.ankle_and_foot(hips, &sample.angles);
-        let foot = &self.footing.feet[self.side];
-        [foot.heel, foot.ball].iter().all(|p| held.point(*p).distance(wanted.point(*p)) < ON_PLANE_M)
+        rise
+    }
+
+    /// Bends the leg for a foot with its heel raised by an angle, and says how far the ankle's flexion is beyond its
+    /// range, radians; negative: how much is left.
+    fn solve(&self, hips: Frame, target: &Target, rise: f64, bend: &Bend, sample: &mut Sample) -> f64 {
+        let leg = &self.footing.legs.sides[self.side];
+        let wanted = self.world_from_figure.inverse().then(target.raised(rise));
+        let softness = self.settings.softness_m(leg);
+        let foot = leg.limb().parts().end.index();
+        let was = sample.angles[foot];
+        let goal = FootGoal { ankle: wanted.position, rotation: wanted.rotation };
+        let miss = leg.solve(hips, &goal, bend, softness, &mut sample.angles);
+        let most =
+            leg.foot().range(Dof::Flexion).map_or(f64::INFINITY, |range| range.reaching(was.flexion).max);
+        let beyond = sample.angles[foot].flexion + miss.foot_beyond.flexion - most;
+        if beyond.is_finite() { beyond.to_radians() } else { 0.0 }
     }
 }

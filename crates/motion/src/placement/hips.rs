@@ -4,13 +4,19 @@ use glam::{DVec2, DVec3};
 use rig::Frame;
 
 use super::PlacementSettings;
-use super::fade::Fade;
+use super::fade::{Fade, smooth};
 use super::foot::Target;
 use super::footing::Footing;
+use super::landing::Coming;
+use super::plane::Plane;
 use crate::{Bend, Sample};
 
-/// How quickly the hips go down for a leg, 1/s.
-const DROPS: f64 = 14.0;
+/// How quickly the hips go down for a leg, and come up again, 1/s.
+const DROPS: f64 = 25.0;
+const COMES_BACK: f64 = 6.0;
+
+/// By how much the heel of a foot that rolls off rises before the hips go down for it, radians.
+const MAY_RISE: f64 = 0.4;
 
 /// The ground around the hips.
 pub(super) struct Around {
@@ -23,13 +29,16 @@ pub(super) struct Around {
 /// The ground around the hips, as the planes of both feet have it: the nearer foot counts more.
 pub(super) fn around(world_from_figure: &Frame, sample: &Sample, targets: &[Target; 2]) -> Around {
     let hips = world_from_figure.point(sample.hips);
-    let at = DVec2::new(hips.x, hips.z);
     let ahead = world_from_figure.rotation * DVec3::Z;
+    between(DVec2::new(hips.x, hips.z), DVec2::new(ahead.x, ahead.z), targets.map(|target| target.plane))
+}
+
+fn between(at: DVec2, ahead: DVec2, planes: [Plane; 2]) -> Around {
     let (mut height, mut rise, mut sum) = (0.0, 0.0, 0.0);
-    for target in targets {
-        let weight = (0.2 + target.plane.at.distance(at)).powi(-2);
-        height += weight * target.plane.height_at(at);
-        rise += weight * target.plane.gradient.dot(DVec2::new(ahead.x, ahead.z));
+    for plane in planes {
+        let weight = (0.2 + plane.at.distance(at)).powi(-2);
+        height += weight * plane.height_at(at);
+        rise += weight * plane.gradient.dot(ahead);
         sum += weight;
     }
     Around { height: height / sum, ahead_degrees: (rise / sum).atan().to_degrees() }
@@ -51,6 +60,7 @@ impl Reach<'_> {
         flat_hips: Frame,
         around: f64,
         targets: &[Target; 2],
+        coming: &[Option<Coming>; 2],
         state: &mut Fade<f64>,
         dt_secs: f64,
         at_once: bool,
@@ -59,15 +69,21 @@ impl Reach<'_> {
         let needs = [0, 1].map(|side| {
             let leg = &self.footing.legs.sides[side];
             let hip = leg.hip(flat_hips);
-            let ankle = figure_from_world.point(targets[side].frame.position);
-            let softness = self.settings.softness.clamp(0.0, 0.2) * leg.full_reach();
-            let reach = (leg.full_reach() - softness).max(self.bends[side].distance);
+            let raised = targets[side].raised(MAY_RISE * targets[side].rolls);
+            let ankle = figure_from_world.point(raised.position);
+            let reach = self.settings.reach(leg, &self.bends[side]);
             let away = DVec2::new(hip.x - ankle.x, hip.z - ankle.z).length_squared();
             let highest = ankle.y + (reach * reach - away).max(0.0).sqrt();
             highest - hip.y - around
         });
-        let need = needs[0].min(needs[1]).min(0.0);
-        state.follow(need, DROPS, dt_secs, at_once);
+        let ahead = [0, 1].map(|side| {
+            let Some(coming) = coming[side] else { return 0.0 };
+            let then = between(coming.hips, DVec2::ZERO, [coming.plane, targets[1 - side].plane]);
+            (coming.highest - then.height) * smooth(coming.progress, 0.0, 0.8)
+        });
+        let need = needs.into_iter().chain(ahead).fold(0.0, f64::min);
+        let quickness = if need < state.value { DROPS } else { COMES_BACK };
+        state.follow(need, quickness, dt_secs, at_once);
         state.value.min(0.0)
     }
 }
