@@ -62,6 +62,18 @@ pub struct Arm {
 }
 
 impl Hips {
+    /// The mirror image half a cycle on.
+    pub fn mirrored(&self) -> Hips {
+        Hips {
+            aside: self.aside.shifted(0.5, -1.0),
+            height: self.height.shifted(0.5, 1.0),
+            ahead: self.ahead.shifted(0.5, 1.0),
+            tilt: self.tilt.shifted(0.5, 1.0),
+            list: self.list.shifted(0.5, -1.0),
+            turn: self.turn.shifted(0.5, -1.0),
+        }
+    }
+
     /// `figure_from_hips`, and the hips' angles.
     pub fn at(&self, figure: &Figure, phase: f64) -> Option<(Frame, Angles)> {
         let angles = Angles {
@@ -75,6 +87,18 @@ impl Hips {
 }
 
 impl Trunk {
+    /// The mirror image half a cycle on.
+    pub fn mirrored(&self) -> Trunk {
+        Trunk {
+            bend: self.bend.shifted(0.5, 1.0),
+            list: self.list.shifted(0.5, -1.0),
+            turn: self.turn.shifted(0.5, -1.0),
+            nod: self.nod.shifted(0.5, 1.0),
+            head_list: self.head_list.shifted(0.5, -1.0),
+            gaze: self.gaze.shifted(0.5, -1.0),
+        }
+    }
+
     /// Writes spine, chest, upper chest, neck and head. The neck takes up what the trunk does, so that the head keeps
     /// its own course.
     pub fn write(

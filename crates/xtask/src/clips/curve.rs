@@ -4,6 +4,8 @@
 const STEPS: usize = 1500;
 /// Standard deviation of the bell that rounds the corners off, as a fraction of the whole.
 const ROUNDING: f64 = 0.012;
+/// The same for what is lowered.
+const EASING: f64 = 0.013;
 
 /// A value over a phase, 0 to 1: monotone between its keys, with a rate that nowhere jumps.
 #[derive(Clone, Debug)]
@@ -45,6 +47,26 @@ impl Curve {
             mean + waves.iter().map(each).sum::<f64>()
         };
         Curve { table: (0..STEPS).map(|i| value(i as f64 / STEPS as f64)).collect(), cyclic: true }
+    }
+
+    /// The same, ahead by a part of the cycle and times a factor.
+    pub fn shifted(&self, ahead: f64, factor: f64) -> Curve {
+        let value = |i: usize| factor * self.at(i as f64 / STEPS as f64 + ahead);
+        Curve { table: (0..STEPS).map(value).collect(), cyclic: true }
+    }
+
+    /// The cycle lowered, at least as far as asked at every phase, and no more abruptly than it has to be.
+    pub fn lowered(&self, least: impl Fn(f64) -> f64) -> Curve {
+        let count = STEPS as i64;
+        let phase = |i: i64| i as f64 / STEPS as f64;
+        let asked: Vec<f64> = (0..count).map(|i| least(phase(i))).collect();
+        let reach = (3.0 * EASING * STEPS as f64).ceil() as i64;
+        let at = |i: i64| asked[i.rem_euclid(count) as usize];
+        // As wide a plateau as the bell that rounds it: nowhere lower than what was asked.
+        let held: Vec<f64> =
+            (0..count).map(|i| (-reach..=reach).map(|o| at(i + o)).fold(f64::MIN, f64::max)).collect();
+        let drop = rounded(STEPS, EASING, |i| held[i.rem_euclid(count) as usize]);
+        Curve { table: (0..count).map(|i| self.at(phase(i)) - drop[i as usize]).collect(), cyclic: true }
     }
 
     /// The value at a phase; cycles repeat.

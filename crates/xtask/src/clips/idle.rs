@@ -8,6 +8,9 @@ use super::motion::Motion;
 use super::path::Path;
 use super::step::Step;
 
+/// Staying in one place.
+pub const STILL: Path = Path { velocity: DVec2::ZERO, turn_rate: 0.0 };
+
 /// Standing at ease: one breath and one shift of weight in 5 s, feet still.
 pub fn idle() -> Motion {
     let arm = |own: f64| Arm {
@@ -25,7 +28,7 @@ pub fn idle() -> Motion {
         length_secs: 5.0,
         loops: true,
         stride: false,
-        path: Path { velocity: DVec2::ZERO, turn_rate: 0.0 },
+        path: STILL,
         hips: Hips {
             aside: Curve::waves(0.004, &[(1.0, 0.016, 0.25), (2.0, 0.002, 0.1)]),
             height: Curve::waves(0.9350, &[(2.0, 0.0012, 0.0), (1.0, 0.0008, 0.4)]),
@@ -44,6 +47,7 @@ pub fn idle() -> Motion {
         },
         arms: [arm(0.0), arm(0.08)],
         steps: [standing(DVec2::new(0.098, -0.002), 8.0), standing(DVec2::new(0.094, 0.006), 8.0)],
+        least_knee: 5.0,
         keys: 40,
     }
 }

@@ -14,6 +14,18 @@ pub struct Foot {
     pub toes: f64,
 }
 
+/// How far hips must sink so that a leg holds its foot with a knee bent by no less than some degrees, metres.
+/// `None` if the figure lacks the leg.
+pub fn sinks(figure: &Figure, figure_from_hips: Frame, limb: Limb, foot: &Foot, knee: f64) -> Option<f64> {
+    let parts = limb.parts();
+    let hip = figure_from_hips.point(figure.skeleton.joint(parts.root)?.offset);
+    let thigh = figure.skeleton.joint(parts.hinge)?.offset.length();
+    let shank = figure.skeleton.joint(parts.end)?.offset.length();
+    let reach_squared = thigh * thigh + shank * shank + 2.0 * thigh * shank * knee.to_radians().cos();
+    let off = foot.ankle - hip;
+    Some((-off.y - (reach_squared - off.x * off.x - off.z * off.z).max(0.0).sqrt()).max(0.0))
+}
+
 /// Writes the angles of hip, knee, ankle and toes that hold a foot; `knee_ahead` is the level direction that the knee
 /// points to. A foot out of reach is left short of its place by a straight leg.
 pub fn hold(

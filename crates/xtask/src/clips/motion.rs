@@ -1,14 +1,16 @@
 //! A whole motion as it is made: a way, feet that step, and a body carried over them.
 
 use ::motion::{Clip, Key, Mode, Track};
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use rig::{Angles, Bone, Figure, Frame, Limb, Pose, Size};
 
 use super::carriage::{Arm, Hips, Trunk};
-use super::leg;
+use super::leg::{self, Foot};
 use super::path::Path;
 use super::sole::Sole;
 use super::step::{Step, Stepping};
+
+const LEGS: [Limb; 2] = [Limb::LeftLeg, Limb::RightLeg];
 
 /// A motion to be made into a clip. All curves run over one length, arms and steps over their own phase.
 #[derive(Clone, Debug)]
@@ -25,6 +27,8 @@ pub struct Motion {
     pub arms: [Arm; 2],
     /// Left, right; likewise.
     pub steps: [Step; 2],
+    /// Hips sink rather than straighten a knee further than this, degrees: a straight one would snap.
+    pub least_knee: f64,
     /// How many keys.
     pub keys: usize,
 }
@@ -55,6 +59,48 @@ impl Motion {
         Some(pose)
     }
 
+    /// The mirror image of a stride, which begins with the left foot's contact, too.
+    pub fn mirrored(&self, name: &'static str) -> Motion {
+        let DVec2 { x, y } = self.path.velocity;
+        let ([left_arm, right_arm], [left, right]) = (self.arms.clone(), self.steps.clone());
+        Motion {
+            name,
+            path: Path { velocity: DVec2::new(-x, y), turn_rate: -self.path.turn_rate },
+            hips: self.hips.mirrored(),
+            trunk: self.trunk.mirrored(),
+            arms: [right_arm, left_arm],
+            steps: [right, left],
+            ..self.clone()
+        }
+    }
+
+    /// The loop with its hips lowered where a leg would be straight. `None` if the figure lacks a part.
+    pub fn settled(mut self, figure: &Figure) -> Option<Motion> {
+        let hips = |phase: f64| self.hips.at(figure, phase).map(|(frame, _)| frame);
+        let sinks = |phase: f64, side: usize| {
+            let foot = self.foot(figure, side, phase + self.offset(side))?;
+            leg::sinks(figure, hips(phase)?, LEGS[side], &foot, self.least_knee)
+        };
+        sinks(0.0, 0).and(sinks(0.0, 1))?;
+        if self.loops {
+            let least = |phase: f64| (0..2).filter_map(|side| sinks(phase, side)).fold(0.0, f64::max);
+            self.hips.height = self.hips.height.lowered(least);
+        }
+        Some(self)
+    }
+
+    /// The foot of a side at its own phase.
+    fn foot(&self, figure: &Figure, side: usize, phase: f64) -> Option<Foot> {
+        let stepping = Stepping {
+            step: &self.steps[side],
+            sole: Sole::of(figure)?,
+            path: self.path,
+            length_secs: self.length_secs,
+            side: if side == 0 { 1.0 } else { -1.0 },
+        };
+        Some(stepping.at(phase))
+    }
+
     fn write_leg(
         &self,
         figure: &Figure,
@@ -63,21 +109,13 @@ impl Motion {
         phase: f64,
         angles: &mut [Angles; Bone::COUNT],
     ) -> Option<()> {
-        let stepping = Stepping {
-            step: &self.steps[side],
-            sole: Sole::of(figure)?,
-            path: self.path,
-            length_secs: self.length_secs,
-            side: if side == 0 { 1.0 } else { -1.0 },
-        };
-        let foot = stepping.at(phase);
+        let foot = self.foot(figure, side, phase)?;
         // The foot's side axis is level or nearly so, its ahead axis may stand on end.
         let aside = foot.rotation * DVec3::X;
         let (foot_yaw, hips_ahead) = ((-aside.z).atan2(aside.x), hips.rotation * DVec3::Z);
         let yaw = 0.6 * foot_yaw + 0.4 * hips_ahead.x.atan2(hips_ahead.z);
         let ahead = DQuat::from_rotation_y(yaw) * DVec3::Z;
-        let limb = [Limb::LeftLeg, Limb::RightLeg][side];
-        leg::hold(figure, hips, limb, &foot, ahead, angles)
+        leg::hold(figure, hips, LEGS[side], &foot, ahead, angles)
     }
 
     /// The clip of the motion, made with a figure. `None` if the figure lacks a part.
