@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 use figures::{all_shipped, shipped};
 use footing::feet;
 use motion::{Clip, FitError, FittedClip, Sample, Travel};
-use rig::{Bone, Dof, Figure, Place};
+use rig::{Angles, Bone, Dof, Figure, Place};
 use stepping::walk;
 
 fn mannequin() -> &'static Figure {
@@ -171,4 +171,30 @@ fn a_figure_without_legs_is_an_error_that_names_it() {
     let error = FittedClip::new(walking(), mannequin(), &legless).unwrap_err();
     assert!(matches!(&error, FitError::NoLegs { figure, .. } if figure == "bust"), "{error}");
     assert!(error.to_string().contains("hand-made"), "{error}");
+}
+
+#[test]
+fn wild_clips_give_finite_samples() {
+    let mut clip = walking().clone();
+    let figure = shipped("elderly");
+    let wild = [(0.0, 1e6), (0.2, -1e6), (0.21, 12345.6), (1.0, 179.999)];
+    for bone in [Bone::LeftUpperLeg, Bone::RightLowerLeg, Bone::LeftFoot, Bone::LeftToes, Bone::Hips] {
+        let keys = wild.map(|(at_secs, a)| {
+            let value = Angles { flexion: a, abduction: -a, twist: a * 0.5 };
+            motion::Key { at_secs, value }
+        });
+        for mode in [motion::Mode::Step, motion::Mode::Linear, motion::Mode::Cubic] {
+            clip.joints.insert(bone, motion::Track { mode, keys: keys.to_vec() });
+            clip.hips.as_mut().unwrap().keys[0].value.y = 1e6;
+            let fitted = FittedClip::new(&clip, mannequin(), &figure).unwrap();
+            let mut sample = Sample::at_rest(&figure);
+            for i in 0..50 {
+                fitted.sample(f64::from(i) / 50.0, &mut sample);
+                let sums = sample.angles.iter().map(|a| a.flexion + a.abduction + a.twist);
+                assert!(sample.hips.is_finite() && sums.sum::<f64>().is_finite(), "{bone} {mode:?} {i}");
+                let bearing = sample.bearing.map(|b| [b.heel, b.ball]);
+                assert!(bearing.iter().flatten().all(|b| (0.0..=1.0).contains(b)), "{bearing:?}");
+            }
+        }
+    }
 }

@@ -79,3 +79,27 @@ fn on_every_preset_feet_that_bear_stay_and_none_sinks() {
         }
     }
 }
+
+#[test]
+fn every_clip_keeps_the_ranges_of_every_preset() {
+    let figures = all_shipped();
+    let made_with = &figures[0].1;
+    for (file, clip, _) in clips() {
+        for (name, figure) in &figures {
+            let fitted = FittedClip::new(&clip, made_with, figure).unwrap();
+            let mut sample = Sample::at_rest(figure);
+            let steps = (fitted.length_secs() * 60.0) as i32;
+            for i in 0..=steps {
+                fitted.sample(f64::from(i) / f64::from(steps), &mut sample);
+                for joint in figure.skeleton.joints() {
+                    let angles = sample.angles[joint.bone.index()];
+                    for dof in joint.dofs() {
+                        let (angle, range) = (angles.get(dof), joint.range(dof).unwrap());
+                        let off = (range.clamp(angle) - angle).abs();
+                        assert!(off < 1e-6, "{file}, {name}: {} {dof:?} {angle} at {i}/{steps}", joint.bone);
+                    }
+                }
+            }
+        }
+    }
+}
