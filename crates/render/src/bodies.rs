@@ -1,6 +1,7 @@
 //! A figure's skin on the device, whole and cut into parts.
 
-use rig::Mesh;
+use glam::Vec3;
+use rig::{Bounds, Mesh};
 use wgpu::util::DeviceExt as _;
 
 use crate::parts::Cut;
@@ -12,6 +13,8 @@ pub(crate) struct Body {
     pub skin: Skin,
     /// The skin cut into parts, once a picture wanted it.
     pub parts: Option<PartSkin>,
+    /// The box around the skin at rest.
+    pub at_rest: Bounds,
     mesh: Mesh,
 }
 
@@ -26,7 +29,8 @@ pub(crate) struct PartSkin {
 impl Body {
     /// Uploads a mesh without faults.
     pub fn upload(device: &wgpu::Device, mesh: &Mesh) -> Body {
-        Body { skin: Skin::upload(device, mesh), parts: None, mesh: mesh.clone() }
+        let at_rest = Bounds::of(mesh.positions.iter().map(|p| Vec3::from_array(*p)));
+        Body { skin: Skin::upload(device, mesh), parts: None, at_rest, mesh: mesh.clone() }
     }
 
     /// Cuts the skin into parts, unless that is done.

@@ -7,6 +7,8 @@ use crate::uniforms::FigureUniform;
 pub(crate) struct Layouts {
     pub scene: wgpu::BindGroupLayout,
     pub figure: wgpu::BindGroupLayout,
+    /// What crowds read, once there was one.
+    pub crowd: Option<wgpu::BindGroupLayout>,
     /// The key light's depth.
     pub shadow: wgpu::BindGroupLayout,
     /// A filtered texture: the softened shadow on the ground, or the picture for reference.
@@ -53,6 +55,7 @@ impl Layouts {
         Layouts {
             scene: layout("scene", &[uniform(None)]),
             figure: layout("figure", &[uniform(Some(size_of::<FigureUniform>()))]),
+            crowd: None,
             shadow: layout("shadow", &[fragment(0, shadow_map), fragment(1, compare)]),
             soft: layout("soft shadow", &[fragment(0, soft_map), fragment(1, filter)]),
             seen: layout("seen", &[fragment(0, shadow_map), fragment(1, soft_map), fragment(2, shadow_map)]),

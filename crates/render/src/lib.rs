@@ -9,6 +9,7 @@ mod backdrop;
 mod bands;
 mod blit;
 mod bodies;
+mod crowd;
 mod errors;
 mod figures;
 mod flat;
@@ -40,6 +41,7 @@ mod uniforms;
 
 pub use bands::Band;
 pub use blit::Blit;
+pub use crowd::CrowdView;
 pub use errors::DrawError;
 pub use gpu::{Gpu, GpuError};
 pub use image::{Image, canvas, read};

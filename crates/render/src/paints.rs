@@ -24,15 +24,29 @@ pub(crate) fn paint_of(scene: &Scene<'_>, view: &FigureView<'_>) -> Option<Paint
     match scene.pass {
         Pass::Silhouette | Pass::Parts if view.ground => None,
         Pass::Color if view.ground => Some(ground_paint(scene, view)),
+        _ => {
+            let marked = !(view.selected.is_empty() && view.hovered.is_empty());
+            body_paint(scene, is_solid(view), marked)
+        }
+    }
+}
+
+/// How a pass paints crowds; `None` if they aren't in it.
+pub(crate) fn crowd_paint(scene: &Scene<'_>) -> Option<Paint> {
+    body_paint(scene, true, false)
+}
+
+fn body_paint(scene: &Scene<'_>, solid: bool, marked: bool) -> Option<Paint> {
+    match scene.pass {
         Pass::Color => {
             let look = &scene.look;
             let (fragment, parts) = fragment_of(look.style, look.joint_planes);
             Some(Paint {
                 fragment,
                 parts,
-                shadowed: look.shadow && is_solid(view),
-                marked: !(view.selected.is_empty() && view.hovered.is_empty()),
-                occluded: is_solid(view) && search_of(scene).is_some(),
+                shadowed: look.shadow && solid,
+                marked,
+                occluded: solid && search_of(scene).is_some(),
                 lined: false,
             })
         }

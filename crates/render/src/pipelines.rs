@@ -1,5 +1,6 @@
 //! Pipelines, each made from its recipe when first used, and kept.
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use crate::layouts::Layouts;
@@ -13,6 +14,8 @@ use crate::target::DEPTH_FORMAT;
 pub(crate) struct Pipelines {
     pub layouts: Layouts,
     figure: wgpu::ShaderModule,
+    /// Made when it is first used, as most pictures have no crowd.
+    crowd: OnceCell<wgpu::ShaderModule>,
     shadow: wgpu::ShaderModule,
     soften: wgpu::ShaderModule,
     backdrop: wgpu::ShaderModule,
@@ -28,15 +31,11 @@ pub(crate) struct Pipelines {
 
 impl Pipelines {
     pub fn new(device: &wgpu::Device) -> Pipelines {
-        let module = |label, source: &'static str| {
-            device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(source.into()),
-            })
-        };
+        let module = |label, source| module(device, label, source);
         Pipelines {
             layouts: Layouts::new(device),
             figure: module("figure", shaders::FIGURE),
+            crowd: OnceCell::new(),
             shadow: module("shadow", shaders::SHADOW),
             soften: module("soften", shaders::SOFTEN),
             backdrop: module("backdrop", shaders::BACKDROP),
@@ -64,9 +63,10 @@ impl Pipelines {
         self.made.get(&(draw, msaa))
     }
 
-    fn module(&self, source: Source) -> &wgpu::ShaderModule {
+    fn module(&self, device: &wgpu::Device, source: Source) -> &wgpu::ShaderModule {
         match source {
             Source::Figure => &self.figure,
+            Source::Crowd => self.crowd.get_or_init(|| module(device, "crowd", shaders::CROWD)),
             Source::Shadow => &self.shadow,
             Source::Soften => &self.soften,
             Source::Backdrop => &self.backdrop,
@@ -81,11 +81,13 @@ impl Pipelines {
     }
 
     fn layout(&self, device: &wgpu::Device, groups: Groups) -> wgpu::PipelineLayout {
-        let Layouts { scene, figure, shadow, soft, seen, found } = &self.layouts;
+        let Layouts { scene, figure, crowd, shadow, soft, seen, found } = &self.layouts;
         let all = match groups {
             Groups::Scene => [Some(scene), None, None, None],
             Groups::Figure => [Some(scene), Some(figure), None, None],
             Groups::Lit => [Some(scene), Some(figure), Some(shadow), Some(found)],
+            Groups::Crowd => [Some(scene), crowd.as_ref(), None, None],
+            Groups::LitCrowd => [Some(scene), crowd.as_ref(), Some(shadow), Some(found)],
             Groups::Soft => [Some(scene), None, Some(soft), Some(found)],
             Groups::Seen => [Some(scene), None, Some(seen), None],
             Groups::Rough => [Some(scene), None, Some(found), None],
@@ -99,7 +101,7 @@ impl Pipelines {
     }
 
     fn make(&self, device: &wgpu::Device, recipe: &Recipe) -> wgpu::RenderPipeline {
-        let module = self.module(recipe.source);
+        let module = self.module(device, recipe.source);
         let targets = [recipe.format.map(|format| wgpu::ColorTargetState {
             format,
             blend: recipe.blend,
@@ -151,4 +153,11 @@ impl Pipelines {
             cache: None,
         })
     }
+}
+
+fn module(device: &wgpu::Device, label: &str, source: &'static str) -> wgpu::ShaderModule {
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
 }

@@ -21,6 +21,10 @@ pub(crate) enum Draw {
     Ghost { two_sided: bool },
     /// A figure.
     Figure { paint: Paint, two_sided: bool },
+    /// Depth of a crowd from the key light.
+    CrowdShadow,
+    /// A crowd.
+    Crowd { paint: Paint },
     /// The gradient behind everything.
     Backdrop,
     /// The picture for reference.
@@ -100,6 +104,7 @@ pub(crate) enum Seen {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Source {
     Figure,
+    Crowd,
     Shadow,
     Soften,
     Backdrop,
@@ -119,6 +124,10 @@ pub(crate) enum Groups {
     Figure,
     /// Figure and shadow map.
     Lit,
+    /// A crowd's matrices.
+    Crowd,
+    /// A crowd's matrices and shadow map.
+    LitCrowd,
     /// A filtered texture: the soft shadow, or the picture for reference; and what a survey found.
     Soft,
     /// What a survey sees.
@@ -222,6 +231,18 @@ impl Recipe {
             },
             Draw::Ghost { two_sided } => Recipe::skinned(Paint::plain("fs_nothing"), two_sided, Less, msaa),
             Draw::Figure { paint, two_sided } => Recipe::skinned(paint, two_sided, LessEqual, msaa),
+            Draw::CrowdShadow => Recipe {
+                vertex: "vs_crowd_shadow",
+                groups: Groups::Crowd,
+                source: Source::Crowd,
+                ..Recipe::of(Draw::Shadow { two_sided: false }, msaa)
+            },
+            Draw::Crowd { paint } => Recipe {
+                vertex: if paint.parts { "vs_crowd_part" } else { "vs_crowd" },
+                groups: Groups::LitCrowd,
+                source: Source::Crowd,
+                ..Recipe::skinned(paint, false, LessEqual, msaa)
+            },
             Draw::Backdrop => {
                 Recipe { strip: false, ..Recipe::surroundings(Backdrop, "vs_backdrop", "fs_backdrop") }
             }

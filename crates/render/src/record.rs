@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use crate::bodies::Body;
 use crate::figures::Figures;
-use crate::paints::{casts, has_ground, is_solid, paint_of};
+use crate::paints::{casts, crowd_paint, has_ground, is_solid, paint_of};
 use crate::recipe::{Draw, Paint};
 use crate::renderer::Renderer;
 use crate::scene::{FigureView, Msaa, Pass, Scene, Style};
@@ -23,6 +24,7 @@ impl Renderer {
         for (i, view) in scene.figures.iter().enumerate().filter(|(_, v)| casts(v)) {
             self.draw_skin(&mut pass, Draw::Shadow { two_sided: view.two_sided }, Msaa::One, i, view);
         }
+        self.draw_crowds(&mut pass, Draw::CrowdShadow, Msaa::One, scene);
         drop(pass);
         let mut pass = self.texture_pass(
             encoder,
@@ -59,6 +61,7 @@ impl Renderer {
             let draw = Draw::Figure { paint: Paint::NORMAL, two_sided: view.two_sided };
             self.draw_skin(&mut pass, draw, Msaa::One, i, view);
         }
+        self.draw_crowds(&mut pass, Draw::Crowd { paint: Paint::NORMAL }, Msaa::One, scene);
         if search == Search::Openness && self.shades_ground(scene) {
             self.cover(&mut pass, Draw::Contact, [0, 0], RECTANGLE);
         }
@@ -88,6 +91,9 @@ impl Renderer {
         pass.set_bind_group(1, &self.figures.group, &[0]);
         pass.set_bind_group(3, self.found(scene), &[]);
         self.draw_figures(&mut pass, scene, target.key.msaa, is_solid);
+        if let Some(paint) = crowd_paint(scene) {
+            self.draw_crowds(&mut pass, Draw::Crowd { paint }, target.key.msaa, scene);
+        }
         self.draw_figures(&mut pass, scene, target.key.msaa, |view| !is_solid(view));
         self.draw_marks(&mut pass, target.key.msaa);
         drop(pass);
@@ -102,7 +108,8 @@ impl Renderer {
         let occluded = search_of(scene).is_some();
         let soft = &self.shadow.soft_group;
         let image = self.backdrop.as_ref().filter(|_| opaque && scene.look.backdrop_opacity > 0.0);
-        let lines = search_of(scene) == Some(Search::Lines) && scene.figures.iter().any(is_solid);
+        let drawn = scene.figures.iter().any(is_solid) || !scene.crowds.is_empty();
+        let lines = drawn && search_of(scene) == Some(Search::Lines);
         let wanted = [
             (Draw::Ink, lines.then_some(soft)),
             (Draw::Grid, (scene.look.grid && opaque && !has_ground(scene)).then_some(soft)),
@@ -187,8 +194,31 @@ impl Renderer {
         view: &FigureView<'_>,
     ) {
         let Some(body) = self.bodies.get(&view.skin) else { return };
+        pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
+        self.draw_body(pass, (draw, msaa), body, 0..1);
+    }
+
+    /// Each crowd at once.
+    fn draw_crowds(&self, pass: &mut wgpu::RenderPass<'_>, draw: Draw, msaa: Msaa, scene: &Scene<'_>) {
+        for (i, view) in scene.crowds.iter().enumerate().filter(|(_, view)| view.count > 0) {
+            let (Some(body), Some(group)) = (self.bodies.get(&view.skin), self.crowds.group(i)) else {
+                continue;
+            };
+            pass.set_bind_group(1, group, &[]);
+            self.draw_body(pass, (draw, msaa), body, 0..u32::try_from(view.count).unwrap_or(u32::MAX));
+        }
+    }
+
+    /// A skin as often as there are instances, what moves it being bound.
+    fn draw_body(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        (draw, msaa): (Draw, Msaa),
+        body: &Body,
+        instances: Range<u32>,
+    ) {
         let parts = match draw {
-            Draw::Figure { paint, .. } if paint.parts => body.parts.as_ref(),
+            Draw::Figure { paint, .. } | Draw::Crowd { paint } if paint.parts => body.parts.as_ref(),
             _ => None,
         };
         let skin = parts.map_or(&body.skin, |parts| &parts.skin);
@@ -196,17 +226,17 @@ impl Renderer {
         if skin.index_count == 0 || !self.set_pipeline(pass, draw, msaa) {
             return;
         }
-        pass.set_bind_group(1, &self.figures.group, &[Figures::offset(figure)]);
         pass.set_vertex_buffer(0, skin.vertices.slice(..));
-        if !matches!(draw, Draw::Shadow { .. }) {
+        if !matches!(draw, Draw::Shadow { .. } | Draw::CrowdShadow) {
             pass.set_vertex_buffer(1, skin.surface.slice(..));
         }
         if let Some(parts) = parts {
             pass.set_vertex_buffer(2, parts.vertices.slice(..));
         }
         pass.set_index_buffer(skin.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..skin.index_count, 0, 0..1);
-        self.counters.figure(skin.index_count / 3);
+        let drawn = u64::from(instances.end - instances.start);
+        pass.draw_indexed(0..skin.index_count, 0, instances);
+        self.counters.figures(drawn * u64::from(skin.index_count / 3));
     }
 
     /// Draws over a rectangle of at most that size.

@@ -9,11 +9,12 @@ use rig::{Bounds, Mesh};
 use crate::backdrop::BackdropImage;
 use crate::bands::PIECE_EDGE;
 use crate::bodies::Body;
+use crate::crowd::{self, Crowds};
 use crate::figures::Figures;
 use crate::layered::{Layered, LayeredBuffer};
 use crate::light::Light;
 use crate::overlay::{self, Layer, Overlay, Stroke};
-use crate::paints::{casts, has_ground, is_solid, paint_of};
+use crate::paints::{casts, crowd_paint, has_ground, is_solid, paint_of};
 use crate::pipelines::Pipelines;
 use crate::recipe::{Draw, Paint};
 use crate::scene::{FigureView, Msaa, Pass, Scene, Style};
@@ -39,6 +40,7 @@ pub struct Renderer {
     skins_set: u64,
     pub(crate) scene_buffer: SceneBuffer,
     pub(crate) figures: Figures,
+    pub(crate) crowds: Crowds,
     pub(crate) shadow: ShadowMaps,
     /// What the shadow maps show.
     shadow_key: Option<u64>,
@@ -63,6 +65,7 @@ impl Renderer {
         let layouts = &pipelines.layouts;
         Renderer {
             figures: Figures::new(device, &layouts.figure, 1),
+            crowds: Crowds::default(),
             shadow: ShadowMaps::new(device, layouts),
             shadow_key: None,
             scene_buffer: SceneBuffer::new(device, layouts),
@@ -146,6 +149,9 @@ impl Renderer {
         tile: Tile,
     ) -> Result<&wgpu::TextureView, DrawError> {
         self.counters.reset();
+        if !scene.crowds.is_empty() && self.pipelines.layouts.crowd.is_none() {
+            self.pipelines.layouts.crowd = Some(crowd::layout(&self.gpu)?);
+        }
         self.prepare_target(TargetKey::of(scene.pass, tile.size, scene.look.msaa));
         let light = self.light(scene);
         self.upload(scene, tile, &light);
@@ -197,6 +203,12 @@ impl Renderer {
                 return Err(DrawError::NoSkin { figure, skin: view.skin });
             }
         }
+        for (crowd, view) in scene.crowds.iter().enumerate() {
+            view.check(crowd, &self.gpu.device.limits())?;
+            if !self.bodies.contains_key(&view.skin) {
+                return Err(DrawError::CrowdNoSkin { crowd, skin: view.skin });
+            }
+        }
         Ok(())
     }
 
@@ -216,17 +228,29 @@ impl Renderer {
         )
     }
 
+    /// Corners of the boxes around the crowds' seen parts.
+    fn crowd_corners(&self, scene: &Scene<'_>) -> Vec<Vec3> {
+        let aspect = scene.size[0] as f32 / scene.size[1].max(1) as f32;
+        let clip_from_world = scene.camera.clip_from_world(aspect);
+        let seen = scene.crowds.iter().filter_map(|view| Some((view, self.bodies.get(&view.skin)?)));
+        let boxes = seen.map(|(view, body)| view.bounds(body.at_rest, clip_from_world));
+        boxes.filter(|bounds| !bounds.is_empty()).flat_map(|bounds| bounds.corners()).collect()
+    }
+
     pub(crate) fn casts_shadow(&self, scene: &Scene<'_>) -> bool {
         let look = &scene.look;
         let falls = look.ground_shadow || has_ground(scene);
         let seen = look.style != Style::Line && (look.style != Style::Matcap || falls);
-        scene.pass == Pass::Color && look.shadow && seen && scene.figures.iter().any(casts)
+        scene.pass == Pass::Color
+            && look.shadow
+            && seen
+            && (!scene.crowds.is_empty() || scene.figures.iter().any(casts))
     }
 
     fn light(&self, scene: &Scene<'_>) -> Light {
         let wanted = self.casts_shadow(scene);
         let casting: Vec<FigureView<'_>> = scene.figures.iter().copied().filter(casts).collect();
-        let corners: Vec<Vec3> = self.corners(&casting).collect();
+        let corners: Vec<Vec3> = self.corners(&casting).chain(self.crowd_corners(scene)).collect();
         Light::fit(scene.look.key_light, &corners, wanted, !scene.look.ambient_occlusion)
     }
 
@@ -238,12 +262,16 @@ impl Renderer {
         let bodies = chosen(&|view| !view.ground);
         // A picture of depth tells figures apart; a survey finds the ground as well.
         let ranged = if scene.pass == Pass::Depth { &bodies } else { scene.figures };
-        let depths = self.corners(ranged).map(|c| -view.transform_point3(c).z);
+        let crowds = self.crowd_corners(scene);
+        let depths = self.corners(ranged).chain(crowds.iter().copied()).map(|c| -view.transform_point3(c).z);
         let range = depths.fold([f32::MAX, f32::MIN], |[near, far], d| [near.min(d), far.max(d)]);
-        let lowest = self.corners(&bodies).map(|c| c.y).fold(f32::INFINITY, f32::min);
+        let lowest =
+            self.corners(&bodies).chain(crowds.iter().copied()).map(|c| c.y).fold(f32::INFINITY, f32::min);
         let floor = if has_ground(scene) && lowest.is_finite() { lowest } else { 0.0 };
         let solid = chosen(&is_solid);
-        SceneUniform::of(scene, tile, light, range).with_silhouette(self.corners(&solid)).on_floor(floor)
+        SceneUniform::of(scene, tile, light, range)
+            .with_silhouette(self.corners(&solid).chain(crowds))
+            .on_floor(floor)
     }
 
     /// Writes all that changed since the last picture.
@@ -253,6 +281,9 @@ impl Renderer {
         self.counters.upload(self.scene_buffer.write(&self.gpu, &uniform));
         let layout = &self.pipelines.layouts.figure;
         self.counters.upload(self.figures.write(&self.gpu, layout, scene.figures));
+        if let Some(layout) = &self.pipelines.layouts.crowd {
+            self.counters.upload(self.crowds.write(&self.gpu, layout, scene.crowds));
+        }
         self.upload_marks(scene, tile.whole);
     }
 
@@ -271,13 +302,13 @@ impl Renderer {
         hasher.finish()
     }
 
-    /// Draws the shadow maps, unless they show that already.
+    /// Draws the shadow maps, unless they show that already. Crowds move, so what they are in is drawn anew.
     fn keep_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, scene: &Scene<'_>, key: Option<u64>) {
-        if self.shadow_key == key {
+        if self.shadow_key == key && scene.crowds.is_empty() {
             return self.counters.kept(2);
         }
         self.record_shadow(encoder, scene);
-        self.shadow_key = key;
+        self.shadow_key = key.filter(|_| scene.crowds.is_empty());
     }
 
     /// Surveys the whole picture, unless that has been done.
@@ -296,7 +327,7 @@ impl Renderer {
         (search, shadow_key.unwrap_or_else(|| self.shadow_key(scene, light))).hash(&mut hasher);
         bytemuck::bytes_of(&uniform.without_tints()).hash(&mut hasher);
         let key = Some(hasher.finish());
-        if self.survey_key == key {
+        if self.survey_key == key && scene.crowds.is_empty() {
             return self.counters.kept(3);
         }
         if self.survey.as_ref().is_none_or(|survey| (survey.search, survey.size) != (search, tile.size)) {
@@ -306,7 +337,7 @@ impl Renderer {
         }
         self.counters.upload(self.survey_buffer.write(&self.gpu, &uniform));
         self.record_survey(encoder, scene, search);
-        self.survey_key = key;
+        self.survey_key = key.filter(|_| scene.crowds.is_empty());
     }
 
     fn upload_marks(&mut self, scene: &Scene<'_>, size: [u32; 2]) {
@@ -338,6 +369,14 @@ impl Renderer {
                 body.cut(&self.gpu.device);
             }
         }
+        if let Some(paint) = crowd_paint(scene).filter(|_| !scene.crowds.is_empty()) {
+            draws.push(Draw::Crowd { paint });
+            for view in scene.crowds.iter().filter(|_| paint.parts) {
+                if let Some(body) = self.bodies.get_mut(&view.skin) {
+                    body.cut(&self.gpu.device);
+                }
+            }
+        }
         for draw in draws {
             self.pipelines.prepare(&self.gpu.device, draw, msaa);
         }
@@ -357,10 +396,13 @@ impl Renderer {
             }
             draws.push(Draw::Figure { paint: Paint::NORMAL, two_sided });
         }
+        if !scene.crowds.is_empty() {
+            draws.extend([Draw::CrowdShadow, Draw::Soften, Draw::Crowd { paint: Paint::NORMAL }]);
+        }
         match survey::search_of(scene) {
             Some(Search::Openness) => draws.extend([Draw::Contact, Draw::Openness, Draw::Smooth]),
             Some(Search::Lines) => draws.push(Draw::Trace),
-            None => draws.retain(|draw| !matches!(draw, Draw::Figure { .. })),
+            None => draws.retain(|draw| !matches!(draw, Draw::Figure { .. } | Draw::Crowd { .. })),
         }
         for draw in draws {
             self.pipelines.prepare(&self.gpu.device, draw, Msaa::One);

@@ -4,6 +4,7 @@ use glam::{Mat4, Vec3};
 use rig::{Bone, Camera, Palette};
 
 use crate::Overlay;
+use crate::crowd::CrowdView;
 use crate::keypoints::Keypoints;
 use crate::overlay::Color;
 
@@ -12,6 +13,8 @@ use crate::overlay::Color;
 pub struct Scene<'a> {
     /// The figures, any number.
     pub figures: &'a [FigureView<'a>],
+    /// Crowds, each drawn at once.
+    pub crowds: &'a [CrowdView<'a>],
     /// Where it is seen from.
     pub camera: Camera,
     /// Width and height, pixels.
@@ -33,6 +36,7 @@ impl<'a> Scene<'a> {
     pub fn new(figures: &'a [FigureView<'a>], camera: Camera, size: [u32; 2]) -> Scene<'a> {
         Scene {
             figures,
+            crowds: &[],
             camera,
             size,
             look: Look::default(),

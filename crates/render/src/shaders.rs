@@ -7,6 +7,14 @@ pub(crate) const FIGURE: &str = concat!(
     include_str!("../../../shaders/skin.wgsl"),
     include_str!("../../../shaders/figure.wgsl")
 );
+/// Crowds in every pass.
+pub(crate) const CROWD: &str = concat!(
+    include_str!("../../../shaders/scene.wgsl"),
+    include_str!("../../../shaders/survey.wgsl"),
+    include_str!("../../../shaders/skin.wgsl"),
+    include_str!("../../../shaders/figure.wgsl"),
+    include_str!("../../../shaders/crowd.wgsl")
+);
 /// Depth from the key light.
 pub(crate) const SHADOW: &str = concat!(
     include_str!("../../../shaders/scene.wgsl"),
@@ -57,8 +65,9 @@ mod tests {
     use wgpu::naga;
 
     /// Every source, so that a file that no picture happens to use is still checked.
-    const ALL: [(&str, &str); 12] = [
+    const ALL: [(&str, &str); 13] = [
         ("figure", super::FIGURE),
+        ("crowd", super::CROWD),
         ("shadow", super::SHADOW),
         ("soften", super::SOFTEN),
         ("backdrop", super::BACKDROP),
@@ -93,7 +102,7 @@ mod tests {
 
     #[test]
     fn uniforms_are_as_large_as_their_twins() {
-        let module = naga::front::wgsl::parse_str(super::FIGURE).unwrap();
+        let module = naga::front::wgsl::parse_str(super::CROWD).unwrap();
         let mut layouter = naga::proc::Layouter::default();
         layouter.update(module.to_ctx()).unwrap();
         let size = |name: &str| {
@@ -101,6 +110,7 @@ mod tests {
             layouter[handle].size as usize
         };
         assert_eq!(size("Scene"), size_of::<crate::uniforms::SceneUniform>());
+        assert_eq!(size("Crowd"), size_of::<crate::crowd::CrowdUniform>());
         let padding = size_of::<[f32; 40]>();
         assert_eq!(size("Figure") + padding, size_of::<crate::uniforms::FigureUniform>());
     }

@@ -39,9 +39,9 @@ impl Counters {
         self.0[0].fetch_add(1, Relaxed);
     }
 
-    pub fn figure(&self, triangles: u32) {
+    pub fn figures(&self, triangles: u64) {
         self.0[1].fetch_add(1, Relaxed);
-        self.0[2].fetch_add(u64::from(triangles), Relaxed);
+        self.0[2].fetch_add(triangles, Relaxed);
     }
 
     pub fn marks(&self) {
