@@ -28,6 +28,7 @@ mod pose_file;
 mod reach;
 mod reach_limits;
 mod robot;
+mod simplify;
 mod size;
 mod skeleton;
 mod skin;
@@ -72,6 +73,7 @@ pub use robot::{
     RobotError, RobotGoal, RobotJoint, RobotJointKind, RobotLink, RobotPose, RobotReach, RobotSkin,
     RootMoves, STAND_IN, STAND_IN_EDGE_M, Shape, Solid, UNPAINTED, Visual, rotation_of_rpy, rpy_of_rotation,
 };
+pub use simplify::simplified;
 pub use size::Size;
 pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{skin_normals, skin_position, skin_positions};
