@@ -10,7 +10,7 @@ const NEARLY_STRAIGHT: f64 = 0.97;
 /// Over how long hips that must go lower do so, to either side, seconds.
 const EASE_SECS: f64 = 0.08;
 /// How often an ankle is placed anew whose foot stopped at a range.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 8;
 
 /// A figure on its feet: what the motion of one must know of the other.
 pub(crate) struct Standing<'a> {
@@ -27,6 +27,7 @@ pub(crate) struct Standing<'a> {
 #[derive(Clone, Copy)]
 struct Wish {
     rotation: DQuat,
+    /// As far as the other figure's toes bend.
     toes: Angles,
     /// Of the ball, metres; only x and z count.
     ball: DVec3,
@@ -80,9 +81,12 @@ pub(crate) fn refit(samples: &mut [Sample], from: &Standing, to: &Standing, loop
     let mut wishes = Vec::with_capacity(samples.len());
     let mut drops = Vec::with_capacity(samples.len());
     for sample in samples.iter_mut() {
-        let own = [0, 1].map(|side| wish(from, to, side, sample, scale));
+        let mut own = [0, 1].map(|side| wish(from, to, side, sample, scale));
         let middle = from.hips(sample).point(from.middle);
         hold_in_ranges(to.figure, sample);
+        for (wish, leg) in own.iter_mut().zip(&to.legs.sides) {
+            wish.toes = sample.angles[leg.toes_bone().index()];
+        }
         sample.hips = DVec3::ZERO;
         sample.hips = middle * scale - to.hips(sample).point(to.middle);
         drops.push(drop(to, sample, &own));
