@@ -85,6 +85,19 @@ impl ShotArguments {
         self.viewpoint.viewpoint()
     }
 
+    /// From where, and if no direction is told, from there about the vertical and above the horizon, degrees.
+    pub fn viewpoint_or(&self, yaw_deg: f32, pitch_deg: f32) -> Viewpoint {
+        let told = self.viewpoint();
+        match self.viewpoint.view {
+            Some(_) => told,
+            None => Viewpoint {
+                yaw_deg: told.yaw_deg.or(Some(yaw_deg)),
+                pitch_deg: told.pitch_deg.or(Some(pitch_deg)),
+                ..told
+            },
+        }
+    }
+
     /// How the colour picture looks.
     pub fn look(&self) -> Look {
         self.look.look(self.style)
@@ -122,9 +135,10 @@ impl ShotArguments {
 /// From where.
 #[derive(Args, Debug)]
 struct ViewArguments {
-    /// From where: front, back, left, right, top, bottom or three-quarter.
-    #[arg(long, default_value = "three-quarter")]
-    view: View,
+    /// From where: front, back, left, right, top, bottom or three-quarter, which is what is seen if nothing else is told; a walk
+    /// is then seen from its left, somewhat ahead.
+    #[arg(long)]
+    view: Option<View>,
     /// About the vertical in place of the view's: 0 before the figure, 90 at its left.
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = finite)]
     yaw: Option<f32>,
@@ -142,7 +156,8 @@ struct ViewArguments {
 impl ViewArguments {
     fn viewpoint(&self) -> Viewpoint {
         let projection = if self.orthographic { Projection::Orthographic } else { Projection::Perspective };
-        Viewpoint { view: self.view, yaw_deg: self.yaw, pitch_deg: self.pitch, zoom: self.zoom, projection }
+        let view = self.view.unwrap_or(View::ThreeQuarter);
+        Viewpoint { view, yaw_deg: self.yaw, pitch_deg: self.pitch, zoom: self.zoom, projection }
     }
 }
 

@@ -26,7 +26,7 @@ pub struct WalkArguments {
     #[arg(long, default_value = "flat", value_name = "GROUND")]
     ground: String,
     /// Which hills, which stones: the same number gives the same ground.
-    #[arg(long, default_value_t = 1, value_name = "N")]
+    #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
     /// How fast, 0 to 12.
     #[arg(long, default_value = "1.4", value_name = "M/S", allow_negative_numbers = true, value_parser = speed)]

@@ -39,3 +39,50 @@ pub fn text(name: &str) -> Option<Result<&'static str, String>> {
         format!("{name}: no shipped clip or tree has that name (did you mean \"{PREFIX}{near}\"?)")
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    use super::*;
+
+    fn on_disk(folder: &str, ending: &str) -> BTreeSet<String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets").join(folder);
+        let names = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+        names.filter(|name| name.ends_with(ending)).collect()
+    }
+
+    #[test]
+    fn every_clip_and_tree_of_the_folders_is_part_of_the_program() {
+        for (held, folder, ending) in [(CLIPS, "clips", ".clip.ron"), (TREES, "blend", ".blend.ron")] {
+            let held: BTreeSet<String> = held.iter().map(|(name, _)| (*name).to_owned()).collect();
+            assert_eq!(
+                held,
+                on_disk(folder, ending),
+                "library/clips.rs lists others than assets/{folder} has"
+            );
+        }
+    }
+
+    #[test]
+    fn every_shipped_clip_fits_every_figure_and_the_tree_finds_its_clips() {
+        for figure in ["mannequin", "child"] {
+            let figure =
+                crate::load::figure(Some(Path::new(&format!("library:{figure}.figure.ron")))).unwrap();
+            for name in names() {
+                let clip = crate::load::clip(Path::new(&name)).unwrap();
+                assert_eq!(format!("{PREFIX}{}.clip.ron", clip.name), name);
+                crate::load::fit(&clip, &figure).unwrap();
+            }
+            crate::load::tree(&figure, None).unwrap();
+        }
+    }
+
+    #[test]
+    fn a_wrong_name_is_told_with_the_nearest() {
+        let wrong = text("library:wolk.clip.ron").unwrap().unwrap_err();
+        assert!(wrong.contains("\"library:walk.clip.ron\""), "{wrong}");
+        assert!(text("walk.clip.ron").is_none());
+    }
+}

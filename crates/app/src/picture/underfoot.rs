@@ -14,6 +14,8 @@ const REACH_M: [f64; 2] = [6.0, 24.0];
 /// Linear colours of tops and of sides and gaps, in dark and in bright surroundings.
 const COLORS: [[[f32; 3]; 2]; 2] =
     [[[0.105, 0.110, 0.118], [0.060, 0.063, 0.068]], [[0.50, 0.51, 0.53], [0.30, 0.31, 0.33]]];
+/// Every other tread of stairs is so much darker: seen from above their edges would not be seen.
+const ODD_TREAD: f32 = 0.72;
 /// Below this red a patch means sides and gaps.
 const DARKER: f32 = 0.45;
 
@@ -92,10 +94,22 @@ fn extent(place: DVec3, camera_distance_m: f64) -> (DVec2, f64) {
 fn mesh(ground: &Ground, middle: DVec2, reach_m: f64, bright: bool) -> Mesh {
     let mut mesh = ground.patch(middle, reach_m);
     let [top, side] = COLORS[usize::from(bright)];
-    for color in &mut mesh.colors {
-        *color = if color[0] < DARKER { side } else { top };
+    let heights: Vec<f32> = mesh.positions.iter().map(|place| place[1]).collect();
+    let rise = if matches!(ground, Ground::Stairs(_)) { least_rise(&heights) } else { None };
+    for (color, height) in mesh.colors.iter_mut().zip(heights) {
+        let odd = rise.is_some_and(|rise| (height / rise).round().rem_euclid(2.0) == 1.0);
+        let shade = if odd { ODD_TREAD } else { 1.0 };
+        *color = if color[0] < DARKER { side } else { top.map(|c| c * shade) };
     }
     mesh
+}
+
+/// The least difference between heights, metres; `None` if all are the same.
+fn least_rise(heights: &[f32]) -> Option<f32> {
+    let mut millimetres: Vec<i64> = heights.iter().map(|h| (h * 1000.0).round() as i64).collect();
+    millimetres.sort_unstable();
+    millimetres.dedup();
+    millimetres.windows(2).map(|pair| (pair[1] - pair[0]) as f32 / 1000.0).reduce(f32::min)
 }
 
 #[cfg(test)]

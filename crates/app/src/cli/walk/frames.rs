@@ -13,6 +13,10 @@ use crate::picture::{Darkroom, Moment, Shot, Subject, Underfoot, Work, following
 
 /// Of so many frames at most the figure's box is taken to find where the camera stands.
 const BOXES: usize = 48;
+/// Where the camera stands unless another view is told: from the left, where neither what rises ahead nor what rises behind
+/// hides the feet.
+const YAW_DEG: f32 = 68.0;
+const PITCH_DEG: f32 = 13.0;
 /// The camera doesn't follow what comes and goes within so long, seconds.
 const CALM_SECS: f64 = 0.8;
 
@@ -59,7 +63,7 @@ fn moments(told: &WalkArguments, stroll: &Stroll, poses: &[&Pose]) -> Vec<Moment
     let stride = poses.len().div_ceil(BOXES).max(1);
     let boxes = (0..poses.len()).step_by(stride).map(|i| (i, subject(poses[i], None).bounds()));
     let aspect = Shot::new(told.shot.size()).aspect();
-    let cameras = following(&told.shot.viewpoint(), &anchors, boxes, aspect);
+    let cameras = following(&told.shot.viewpoint_or(YAW_DEG, PITCH_DEG), &anchors, boxes, aspect);
     let mut underfoot = None;
     let moment = |(pose, camera): (&&Pose, rig::Camera)| {
         let (place, distance) = (pose.place.position, f64::from(camera.distance));
