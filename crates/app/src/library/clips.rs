@@ -9,7 +9,19 @@ macro_rules! texts {
     };
 }
 
-const CLIPS: &[(&str, &str)] = texts! { "clips": "idle.clip.ron" "walk.clip.ron" };
+const CLIPS: &[(&str, &str)] = texts! { "clips":
+    "idle.clip.ron"
+    "jog.clip.ron"
+    "sit-to-stand.clip.ron"
+    "strafe-left.clip.ron"
+    "strafe-right.clip.ron"
+    "turn-left.clip.ron"
+    "turn-right.clip.ron"
+    "walk-back.clip.ron"
+    "walk-turn-left.clip.ron"
+    "walk-turn-right.clip.ron"
+    "walk.clip.ron"
+};
 
 const TREES: &[(&str, &str)] = texts! { "blend": "walk.blend.ron" };
 
