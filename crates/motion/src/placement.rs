@@ -148,7 +148,18 @@ pub fn place_feet(
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
             let rise = &mut state.feet[side].rise;
             soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], rise, dt_secs, sample);
-            toes::bend(footing, side, ground, &world_from_figure, placed_hips, &targets[side], sample);
+            let bent = &mut state.feet[side].toes;
+            toes::bend(
+                footing,
+                side,
+                ground,
+                &world_from_figure,
+                placed_hips,
+                &targets[side],
+                bent,
+                dt_secs,
+                sample,
+            );
         }
         state.begun = true;
     }

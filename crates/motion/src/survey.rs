@@ -132,6 +132,18 @@ impl Survey {
         self.fastest.get(bone.index()).map_or(0.0, |[local, _]| local.0)
     }
 
+    /// The largest turn of each joint over its largest in a reference, in its carrier and in the world, with the number of
+    /// its frame.
+    pub fn pops(&self, flat: &Survey) -> Vec<(Bone, f64, usize)> {
+        let mut pops = Vec::new();
+        for (i, (turns, before)) in self.fastest.iter().zip(&flat.fastest).enumerate() {
+            for ((turn, frame), (fastest, _)) in turns.iter().zip(before) {
+                pops.push((Bone::ALL[i], turn / fastest.max(STILL_DEGREES), *frame));
+            }
+        }
+        pops
+    }
+
     /// How the walk went so far. The reference is the same figure's walk over flat ground, in frames of the same length;
     /// joints are compared both in their carriers and in the world.
     pub fn summary(&self, flat: Option<&Survey>) -> Summary {
@@ -153,14 +165,9 @@ impl Survey {
             frames: self.frames,
             ..Summary::default()
         };
-        for (i, (turns, before)) in
-            self.fastest.iter().zip(flat.iter().flat_map(|flat| &flat.fastest)).enumerate()
-        {
-            for ((turn, frame), (fastest, _)) in turns.iter().zip(before) {
-                let ratio = turn / fastest.max(STILL_DEGREES);
-                if ratio > summary.pop_ratio {
-                    (summary.pop_ratio, summary.popped) = (ratio, Some((Bone::ALL[i], *frame)));
-                }
+        for (bone, ratio, frame) in flat.map(|flat| self.pops(flat)).unwrap_or_default() {
+            if ratio > summary.pop_ratio {
+                (summary.pop_ratio, summary.popped) = (ratio, Some((bone, frame)));
             }
         }
         summary

@@ -25,8 +25,9 @@ const RESERVE: f64 = 0.03;
 /// How quickly a heel that has to rise does so, and how quickly it comes down again, 1/s.
 const RISES: f64 = 40.0;
 const FALLS: f64 = 12.0;
-/// The most by which a heel rises to help a leg reach, radians.
+/// The most by which a heel rises, and by which it does so to help a leg reach, radians.
 const MOST_RISE: f64 = 0.7;
+const REACH_RISE: f64 = 0.3;
 /// From here on a foot rolls off: the heel's height over the ball's, over their distance.
 const ROLLS: f64 = 0.3;
 /// A sole whose ends are nearer to where they should be than this stands, metres.
@@ -44,6 +45,8 @@ pub(super) struct FootState {
     flat: [DVec3; 2],
     yaw: f64,
     pub landing: Landing,
+    /// What the toes are bent beyond the motion's, degrees.
+    pub toes: Fade<f64>,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
     pub rise: Fade<f64>,
     /// Where the foot was to be.
@@ -257,7 +260,7 @@ impl Grip<'_> {
         let leg = &self.footing.legs.sides[self.side];
         let mut tried = sample.clone();
         let hip = self.world_from_figure.point(leg.hip(hips));
-        let may = MOST_RISE * target.rolls.max(target.ball);
+        let may = REACH_RISE * target.rolls.max(target.ball);
         let mut rise = target.rise_to_reach(hip, self.settings.reach(leg, bend)).min(may);
         let mut beyond = self.solve(hips, target, rise, bend, &mut tried) + RESERVE;
         if beyond <= 0.0 {

@@ -16,7 +16,9 @@ const DROPS: f64 = 25.0;
 const COMES_BACK: f64 = 6.0;
 
 /// By how much the heel of a foot that rolls off rises before the hips go down for it, radians.
-const MAY_RISE: f64 = 0.4;
+const MAY_RISE: f64 = 0.25;
+/// A foot reaches farthest a little before it lands: what its landing needs, times this, is enough for that, too.
+const BEFORE_LANDING: f64 = 1.4;
 
 /// The ground around the hips.
 pub(super) struct Around {
@@ -79,7 +81,7 @@ impl Reach<'_> {
         let ahead = [0, 1].map(|side| {
             let Some(coming) = coming[side] else { return 0.0 };
             let then = between(coming.hips, DVec2::ZERO, [coming.plane, targets[1 - side].plane]);
-            (coming.highest - then.height) * smooth(coming.progress, 0.0, 0.8)
+            (coming.highest - then.height) * BEFORE_LANDING * smooth(coming.progress, 0.0, 0.65)
         });
         let need = needs.into_iter().chain(ahead).fold(0.0, f64::min);
         let quickness = if need < state.value { DROPS } else { COMES_BACK };

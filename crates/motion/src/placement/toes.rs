@@ -2,13 +2,18 @@
 
 use rig::{Dof, Frame};
 
+use super::fade::Fade;
 use super::foot::Target;
 use super::footing::{Footing, foot_from_toes};
 use crate::{Ground, Sample};
 
+/// How quickly toes follow the ground while the ball holds, and go back when it doesn't, 1/s.
+const BENDS: f64 = 40.0;
+const STRAIGHTENS: f64 = 15.0;
 /// Rounds of Newton's rule; the second is below a tenth of a degree.
 const ROUNDS: usize = 3;
 
+#[allow(clippy::too_many_arguments)] // one foot of a node
 /// Bends the toes of a placed foot so that their tip is as high above the ground there as the motion has it above flat
 /// ground, as far as the ball holds; elsewhere they stay as the motion has them.
 pub(super) fn bend(
@@ -18,12 +23,14 @@ pub(super) fn bend(
     world_from_figure: &Frame,
     hips: Frame,
     target: &Target,
+    bent: &mut Fade<f64>,
+    dt_secs: f64,
     sample: &mut Sample,
 ) {
     let (leg, foot) = (&footing.legs.sides[side], &footing.feet[side]);
     let Some(toes) = &foot.toes else { return };
     let Some(range) = toes.joint.range(Dof::Flexion) else { return };
-    if target.ball <= 0.0 {
+    if target.ball <= 0.0 && bent.value.abs() < 1e-6 {
         return;
     }
     let bone = leg.toes_bone().index();
@@ -46,6 +53,8 @@ pub(super) fn bend(
             flexion += (off / sinks).clamp(-40.0, 40.0);
         }
     }
-    let held = range.reaching(was.flexion).clamp(flexion);
-    sample.angles[bone].flexion = was.flexion + target.ball * (held - was.flexion);
+    let goal = target.ball * (flexion - was.flexion);
+    let quickness = STRAIGHTENS + target.ball * (BENDS - STRAIGHTENS);
+    bent.follow(goal, quickness, dt_secs, dt_secs == 0.0);
+    sample.angles[bone].flexion = range.reaching(was.flexion).clamp(was.flexion + bent.value);
 }
