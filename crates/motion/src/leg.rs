@@ -1,11 +1,10 @@
 //! One leg of a figure: where it holds the foot, and the joints that hold the foot where it should be.
 
-use glam::{DQuat, DVec3};
-use kin::{Ball, Branch, Interval, LimbGoal, LimbState, softened};
-use rig::{Angles, Articulation, Bone, Dof, Figure, Frame, Joint, Limb, LimbRig};
+use std::f64::consts::{FRAC_PI_2, PI};
 
-/// How far the knee may swing about the line from hip to ankle to keep the ranges, radians.
-const WINDOW: f64 = std::f64::consts::FRAC_PI_6;
+use glam::{DQuat, DVec3};
+use kin::{Ball, Branch, Interval, LimbGoal, LimbState, RootRange, softened};
+use rig::{Angles, Articulation, Bone, Dof, Figure, Frame, Joint, Limb, LimbRig};
 
 /// Both legs of a figure, made ready to solve once.
 #[derive(Clone, PartialEq, Debug)]
@@ -63,7 +62,7 @@ pub struct LegMiss {
     pub ankle_m: f64,
     /// How far the foot is turned from its goal, degrees.
     pub foot_degrees: f64,
-    /// Whether hip or knee stopped at a range, or the knee swung aside to keep one.
+    /// Whether hip or knee stopped at a range.
     pub leg_stopped: bool,
     /// Flexion, abduction and twist of the ankle: how far the goal lies beyond each range, degrees, signed.
     pub foot_beyond: Angles,
@@ -149,8 +148,8 @@ impl Leg {
 
     /// Holds the foot at its goal: writes the angles of hip, knee and ankle.
     ///
-    /// The knee keeps the bend's elevation, and gives way by up to 30 degrees to keep the ranges; the ankle's place
-    /// wins over the foot's rotation, whose angles stop at their ranges. Within `softness_m` of full stretch the
+    /// The knee keeps the bend's elevation. Where that leaves the hip's range, the thigh stops there and the knee brings
+    /// the ankle as near as it can; the foot's angles stop at their ranges, and its place wins over its rotation. Within `softness_m` of full stretch the
     /// distance eases toward it, but not short of the bend's own distance, so that solving what was read changes
     /// nothing. Joints that were out of range may stay there. Numbers that are none leave the leg as it was.
     pub fn solve(
@@ -187,9 +186,24 @@ impl Leg {
 
     /// The joints that hold the ankle at a target, and whether a range changed them.
     fn reached(&self, in_knee: DVec3, goal: &LimbGoal, bend: &Bend) -> Option<(LimbState, bool)> {
-        let reach = self.rig.kin.reach_within(in_knee, goal, &bend.from, &self.rig.ranges, WINDOW).ok()?;
-        (reach.state.root.is_finite() && reach.state.hinge.is_finite())
-            .then_some((reach.state, reach.limited))
+        let direct = self.rig.kin.solve(in_knee, goal).ok()?.state;
+        if !(direct.root.is_finite() && direct.hinge.is_finite()) {
+            return None;
+        }
+        let ranges = self.rig.ranges.reaching(&bend.from);
+        if ranges.contains(&direct, 1e-9) {
+            return Some((direct, false));
+        }
+        // A knee that swung aside for the thigh's range would have to swing far where the leg is nearly straight, and at
+        // once. So the thigh stops, and the knee brings the ankle as near as it then can.
+        let root = stopped(direct.root, &ranges.root);
+        let at = |hinge: f64| self.rig.kin.articulator(&LimbState { root, hinge }, in_knee);
+        let (straight, folded) = (at(0.0), at(PI));
+        let center = (straight + folded) * 0.5;
+        let toward = goal.target - center;
+        let nearest = toward.dot(at(FRAC_PI_2) - center).atan2(toward.dot(straight - center));
+        let hinge = ranges.hinge.clamp(nearest);
+        hinge.is_finite().then_some((LimbState { root, hinge }, true))
     }
 
     /// A target brought nearer to the hip where the leg would snap straight.
@@ -234,6 +248,15 @@ impl Leg {
         }
         self.rig.vector_in_limb(self.knee.rotation(Angles { flexion: 0.0, ..shin }) * self.foot.offset)
     }
+}
+
+/// A hip's turn brought into its range: the thigh to the cone's rim, then the twist to its end.
+fn stopped(root: DQuat, range: &RootRange) -> DQuat {
+    let bone = root * range.bone;
+    let root = DQuat::from_rotation_arc(bone, range.cone.clamp(bone)) * root;
+    let (swing, twist) = kin::swing_twist(root, range.twist_axis);
+    let held = range.twist.clamp(twist);
+    if held == twist { root } else { swing * kin::axis_angle(range.twist_axis, held) }
 }
 
 /// The angles that turn a joint nearest to a rotation, degrees, ranges aside; `None` if the rotation is no number.
