@@ -1,5 +1,7 @@
 //! The laws of blend trees.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 mod figures;
 mod gaits;
 #[path = "../../kin/tests/seeded/mod.rs"]

@@ -1,5 +1,7 @@
 //! Cells between the points of axis blends: they fit together, and weights go along without jumps.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 #[path = "../../kin/tests/seeded/mod.rs"]
 mod seeded;
 

@@ -1,5 +1,7 @@
 //! Blend tree files: written and read back they are the same; faults say what and where; damage never panics.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+
 use std::sync::Arc;
 
 use interchange::figure::bare_mannequin;

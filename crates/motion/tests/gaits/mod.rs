@@ -68,5 +68,6 @@ pub fn clips(figure: &Figure, made_with: &Figure) -> Vec<Arc<FittedClip>> {
         stride("turn", 1.0, 0.0, 0.0, 60.0, 6.0),
     ];
     let all = [idle, sit, wave].into_iter().chain(strides);
-    all.map(|clip| Arc::new(FittedClip::new(&clip, made_with, figure).unwrap())).collect()
+    all.map(|clip| Arc::new(FittedClip::new(&clip, made_with, figure).expect("both figures have legs")))
+        .collect()
 }
