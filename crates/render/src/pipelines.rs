@@ -1,6 +1,6 @@
 //! Pipelines, each made from its recipe when first used, and kept.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 use std::collections::HashMap;
 
 use crate::layouts::Layouts;
@@ -15,7 +15,7 @@ pub(crate) struct Pipelines {
     pub layouts: Layouts,
     figure: wgpu::ShaderModule,
     /// Made when it is first used, as most pictures have no crowd.
-    crowd: OnceCell<wgpu::ShaderModule>,
+    crowd: OnceLock<wgpu::ShaderModule>,
     shadow: wgpu::ShaderModule,
     soften: wgpu::ShaderModule,
     backdrop: wgpu::ShaderModule,
@@ -35,7 +35,7 @@ impl Pipelines {
         Pipelines {
             layouts: Layouts::new(device),
             figure: module("figure", shaders::FIGURE),
-            crowd: OnceCell::new(),
+            crowd: OnceLock::new(),
             shadow: module("shadow", shaders::SHADOW),
             soften: module("soften", shaders::SOFTEN),
             backdrop: module("backdrop", shaders::BACKDROP),
