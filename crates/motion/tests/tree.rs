@@ -444,3 +444,21 @@ fn plans_that_name_no_clip_of_a_figure_are_told_without_a_text_too() {
     let expected = "root.node.name: unknown clip \"hop\", expected idle, sit, wave, walk, jog, left, turn";
     assert_eq!(fault.to_string(), expected);
 }
+
+#[test]
+fn a_foot_that_is_to_step_does_not_stand_however_little_it_steps() {
+    let tree = tree("Blend(by: [Speed], points: [(0, Clip(name: \"idle\")), (1.4, Clip(name: \"walk\"))])");
+    let mut state = TreeState::new(&tree);
+    let mut stepped = false;
+    for _ in 0..200 {
+        tree.step(&mut state, &Steering::ahead(0.2), 0.01);
+        let walk = sampled("walk", state.phase());
+        for (bears, walks) in state.sample().bearing.iter().zip(&walk.bearing) {
+            assert!((bears.heel - walks.heel).abs() < 1e-12 && (bears.ball - walks.ball).abs() < 1e-12);
+            stepped |= bears.heel < 0.1;
+        }
+    }
+    assert!(stepped);
+    tree.step(&mut state, &Steering::default(), 0.01);
+    assert_eq!(state.sample().bearing[0].heel, 1.0, "and without a step it stands");
+}

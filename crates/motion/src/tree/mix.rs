@@ -1,4 +1,4 @@
-//! Sums of samples. Angles, the hips' place and how the feet bear all blend linearly.
+//! Sums of samples. Angles and the hips' place blend linearly.
 
 use glam::DVec3;
 use rig::{Angles, Bone};
@@ -10,8 +10,8 @@ pub(super) fn blank() -> Sample {
     Sample { hips: DVec3::ZERO, angles: [Angles::REST; Bone::COUNT], bearing: [Bearing::default(); 2] }
 }
 
-/// `out` times a weight.
-pub(super) fn scale(out: &mut Sample, weight: f64) {
+/// `out` times a weight, and how the feet bear times another.
+pub(super) fn scale(out: &mut Sample, weight: f64, bearing_weight: f64) {
     out.hips *= weight;
     for angles in &mut out.angles {
         angles.flexion *= weight;
@@ -19,18 +19,18 @@ pub(super) fn scale(out: &mut Sample, weight: f64) {
         angles.twist *= weight;
     }
     for bearing in &mut out.bearing {
-        bearing.heel *= weight;
-        bearing.ball *= weight;
+        bearing.heel *= bearing_weight;
+        bearing.ball *= bearing_weight;
     }
 }
 
-/// `out` and another sample times a weight.
-pub(super) fn add(out: &mut Sample, weight: f64, other: &Sample) {
+/// `out` and another sample times a weight, and how its feet bear times another.
+pub(super) fn add(out: &mut Sample, weight: f64, bearing_weight: f64, other: &Sample) {
     out.hips += other.hips * weight;
     add_angles(out, weight, other);
     for (out, other) in out.bearing.iter_mut().zip(&other.bearing) {
-        out.heel += other.heel * weight;
-        out.ball += other.ball * weight;
+        out.heel += other.heel * bearing_weight;
+        out.ball += other.ball * bearing_weight;
     }
 }
 

@@ -33,6 +33,8 @@ pub(super) struct NodeState {
     pub(super) share: f64,
     /// In the whole.
     pub(super) weight: f64,
+    /// Which part of it is strides.
+    pub(super) strides: f64,
     /// For clips that are no strides: the phase, 0 to 1.
     pub(super) clock: f64,
     /// Whether it had a weight in the last step.

@@ -5,12 +5,16 @@ use super::mix;
 use super::plan::Condition;
 use super::state::{NodeState, TreeState};
 use crate::cells::MOST_POINTS;
-use crate::{FittedClip, Sample, Steering, Travel};
+use crate::{Feather, FittedClip, Sample, Steering, Travel};
 
 /// Longer time steps count as this many seconds.
 const LONGEST_STEP_SECS: f64 = 1.0;
 /// How far from its axis a turning figure's feet are taken to step, metres, for a figure of the reference size.
 const TURNING_RADIUS_M: f64 = 0.15;
+
+/// Where strides have this weight among what doesn't step, they alone tell how the feet bear: a foot that is to step can't stand
+/// as well, however little it steps.
+const STRIDES_DECIDE: f64 = 0.02;
 
 /// Sums over the strides that have a weight, for the frequency that they share.
 #[derive(Clone, Copy, Default)]
@@ -77,6 +81,18 @@ impl Tree {
     /// Gives weights to a node that has one and to what is in it. `whole`: no layer.
     fn weigh(&self, descent: &mut Descent<'_>, node: usize, weight: f64, whole: bool) {
         descent.state.nodes[node].weight = weight;
+        self.weigh_parts(descent, node, weight, whole);
+        descent.state.nodes[node].strides = match &self.nodes[node].kind {
+            Kind::Clip(clip) => f64::from(u8::from(self.clips[clip.clip].is_stride())),
+            Kind::Pass(child) => descent.state.nodes[*child].strides,
+            Kind::Mask { base, .. } | Kind::Additive { base, .. } => descent.state.nodes[*base].strides,
+            Kind::Blend { children, .. } => descent.state.strides_of(children),
+            Kind::Crossfade { children, .. } => descent.state.strides_of(children),
+            Kind::States(states) => descent.state.strides_of(&states.children),
+        };
+    }
+
+    fn weigh_parts(&self, descent: &mut Descent<'_>, node: usize, weight: f64, whole: bool) {
         match &self.nodes[node].kind {
             Kind::Clip(clip) => self.weigh_clip(descent, node, clip, weight, whole),
             Kind::Pass(child) => self.weigh(descent, *child, weight, whole),
@@ -242,22 +258,29 @@ impl Tree {
     }
 
     fn sample_shares(&self, state: &mut TreeState, children: &[usize], at: usize) {
+        let all_strides = state.strides_of(children);
+        let others = 1.0 - Feather::Smooth.at(all_strides / STRIDES_DECIDE);
         let mut first = true;
         for &child in children {
-            let NodeState { share, weight, .. } = state.nodes[child];
+            let NodeState { share, weight, strides, .. } = state.nodes[child];
             if weight <= 0.0 {
                 continue;
             }
+            let bearing = if all_strides > 0.0 {
+                share * (others + (1.0 - others) * (strides / all_strides))
+            } else {
+                share
+            };
             if first {
                 self.sample(state, child, at);
                 if share != 1.0 {
-                    mix::scale(&mut state.samples[at], share);
+                    mix::scale(&mut state.samples[at], share, bearing);
                 }
                 first = false;
             } else {
                 self.sample(state, child, at + 1);
                 let (out, other) = split(state, at, at + 1);
-                mix::add(out, share, other);
+                mix::add(out, share, bearing, other);
             }
         }
     }
@@ -282,6 +305,14 @@ impl Tree {
         if clip.mirrored {
             mix::mirror(out, &self.twins);
         }
+    }
+}
+
+impl TreeState {
+    /// Which part of some children is strides.
+    fn strides_of(&self, children: &[usize]) -> f64 {
+        let live = children.iter().map(|&child| &self.nodes[child]).filter(|node| node.weight > 0.0);
+        live.map(|node| node.share * node.strides).sum()
     }
 }
 
