@@ -26,6 +26,7 @@ mod settings;
 mod sign;
 mod status_line;
 mod theme;
+pub mod throng;
 mod toolbar;
 mod viewport;
 pub mod window;

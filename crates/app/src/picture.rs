@@ -31,11 +31,13 @@ pub use choices::{Choices, MOST_EDGE, MOST_FRAMES};
 pub use darkroom::{Darkroom, bounds, open_gpu, rest_positions};
 pub use facts::Facts;
 pub use following::{following, smoothed};
+pub use film::Film;
 pub use framing::fit;
 pub use keypoints::Landmarks;
 pub use keypoints_file::keypoints_text;
 pub use naming::{Format, Naming};
 pub use order::{Moment, Order, title_of};
+pub use png::Shape;
 pub use sheet::{Sheet, Tile, on_plain};
 pub use shot::{Shot, Viewpoint, camera_words, pass_name, style_name};
 pub use subject::{Posed, Standing, Subject};
@@ -50,6 +52,6 @@ use crate::failure::Failure;
 /// # Errors
 /// A file that can't be written.
 pub fn write_png(image: &Image, facts: &Facts, path: &Path) -> Result<(), Failure> {
-    let shape = png::Shape { size: [image.width, image.height], alpha: true };
+    let shape = Shape { size: [image.width, image.height], alpha: true };
     png::write_rows(path, shape, facts, |rows| rows.take(&image.rgba))
 }

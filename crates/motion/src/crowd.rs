@@ -4,6 +4,7 @@
 //! touched that a [`crate::Walker`] has. Same start, same steps, same bits, on any processor.
 
 mod block;
+mod company;
 mod gaits;
 mod heights;
 mod lanes;
@@ -15,6 +16,8 @@ use pulp::{Arch, Simd, WithSimd};
 use rig::PLACES;
 
 use block::Block;
+pub use company::Company;
+use company::Nudge;
 pub use gaits::{Gait, Gaits};
 pub use heights::Heights;
 pub use lanes::{LANES, Row};
@@ -75,8 +78,23 @@ impl Crowd {
 
     /// Goes on by a time step, seconds: ways, joints, feet, matrices.
     pub fn step(&mut self, ground: &Heights, dt_secs: f32) {
+        self.go(ground, dt_secs, |_| Nudge::NONE);
+    }
+
+    /// The same, but walkers go round each other and everyone else on the ground, as they stood before the step.
+    pub fn step_among(&mut self, company: &Company, ground: &Heights, dt_secs: f32) {
+        self.go(ground, dt_secs, |walker| company.nudge(walker.at, walker.heading));
+    }
+
+    /// Where everyone is: x and z, metres, world.
+    pub fn places(&self) -> impl Iterator<Item = [f32; 2]> {
+        self.walkers.iter().take(self.count).map(|walker| walker.at)
+    }
+
+    fn go(&mut self, ground: &Heights, dt_secs: f32, nudge: impl Fn(&Wander) -> Nudge) {
         for walker in &mut self.walkers {
-            walker.step(&self.gaits, ground.half() - MARGIN_M, dt_secs);
+            let nudge = nudge(walker);
+            walker.step(&self.gaits, ground.half() - MARGIN_M, dt_secs, nudge);
         }
         self.sample();
         self.place_feet(ground, dt_secs);
@@ -103,6 +121,11 @@ impl Crowd {
     pub fn matrices(&self) -> &[Matrices] {
         &self.matrices
     }
+
+    /// The same as plain numbers, in the order of [`Matrices`].
+    pub fn numbers(&self) -> &[f32] {
+        bytemuck::cast_slice(self.matrices.as_flattened().as_flattened())
+    }
 }
 
 impl Wander {
@@ -117,15 +140,21 @@ impl Wander {
         }
     }
 
-    fn step(&mut self, gaits: &Gaits, reach: f32, dt: f32) {
+    fn step(&mut self, gaits: &Gaits, reach: f32, dt: f32, nudge: Nudge) {
         let stride = &gaits.strides[self.stride];
+        let pace = dt * nudge.pace;
+        self.phase = (self.phase + pace * stride.per_sec).rem_euclid(1.0);
+        self.at = [self.at[0] + nudge.shift[0] * dt, self.at[1] + nudge.shift[1] * dt];
+        // Who stands doesn't turn on the spot.
+        if stride.speed == 0.0 {
+            return;
+        }
         let (sine, cosine) = self.heading.sin_cos();
         let [x, z] = self.at;
         // Who is at the border and walks outward turns on, always to the same side.
         let outward = x * sine + z * cosine > 0.0 && x.abs().max(z.abs()) > reach;
-        self.heading += dt * if outward { BACK_RAD_PER_SEC } else { self.turning };
-        self.at = [x + sine * stride.speed * dt, z + cosine * stride.speed * dt];
-        self.phase = (self.phase + dt * stride.per_sec).rem_euclid(1.0);
+        self.heading += dt * if outward { BACK_RAD_PER_SEC } else { self.turning + nudge.turn };
+        self.at = [x + sine * stride.speed * pace, z + cosine * stride.speed * pace];
     }
 }
 

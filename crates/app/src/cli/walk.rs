@@ -1,5 +1,6 @@
 //! `walk`: a figure walks over some ground; what it did as numbers, as pictures, or both.
 
+mod crowd;
 mod frames;
 mod record;
 mod stroll;
@@ -12,6 +13,7 @@ use motion::Steering;
 use super::pictures::ShotArguments;
 use crate::failure::Failure;
 use crate::load;
+use crate::throng::MOST;
 use stroll::Stroll;
 
 /// The fastest speed that can be asked for, metres a second: a sprinter's.
@@ -43,6 +45,10 @@ pub struct WalkArguments {
     /// Leaves the feet where the motion on flat ground has them.
     #[arg(long)]
     no_foot_placement: bool,
+    /// So many figures walk together, each its own way; at most 20000. The report says what they are and what a picture costs.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)),
+        conflicts_with_all = ["speed", "turn", "tree", "no_foot_placement"])]
+    crowd: Option<u32>,
     /// Another figure, *.figure.ron.
     #[arg(long)]
     figure: Option<PathBuf>,
@@ -98,6 +104,9 @@ pub fn walk(told: &WalkArguments) -> Result<(), Failure> {
     if told.fps > told.rate {
         let message = format!("--fps {}: there are only {} steps of time a second", told.fps, told.rate);
         return Err(Failure::Usage(message));
+    }
+    if let Some(count) = told.crowd {
+        return crowd::walk(told, count);
     }
     // What can't be drawn is said before anything is walked.
     if let Some(output) = &told.output {

@@ -115,7 +115,10 @@ impl Order {
     }
 
     /// The folder of the frames, if it isn't there yet; the folder that it is in must be.
-    fn make_folder(&self) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// It can't be made.
+    pub fn make_folder(&self) -> Result<(), Failure> {
         let file = self.naming.file("", 0);
         let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
         match folder {

@@ -41,6 +41,13 @@ impl Underfoot {
         Underfoot(Arc::new(Patch { mesh, middle, reach_m, bright }))
     }
 
+    /// The ground of a square around the origin, half its side given, metres.
+    pub fn square(ground: &Ground, half_m: f64, bright: bool) -> Underfoot {
+        let middle = DVec2::ZERO;
+        let mesh = mesh(ground, middle, half_m, bright);
+        Underfoot(Arc::new(Patch { mesh, middle, reach_m: half_m, bright }))
+    }
+
     /// The same patch as long as it does for that place, camera and surroundings, else a new one. The ground must be the same.
     #[must_use]
     pub fn following(

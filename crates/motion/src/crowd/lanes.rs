@@ -8,7 +8,7 @@ use pulp::Simd;
 pub const LANES: usize = 16;
 
 /// One number of each figure in a block.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C, align(64))]
 pub struct Row(pub [f32; LANES]);
 

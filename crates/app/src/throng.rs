@@ -1,0 +1,200 @@
+//! Many figures of several bodies walking on one ground, ready to be drawn: each body is a crowd of its own.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use motion::crowd::{Company, Crowd, CrowdFigure, Gait, Gaits, Heights, LANES, ROWS};
+use motion::{Clip, FittedClip, Ground, Sample};
+use render::{CrowdView, DrawError, Renderer};
+use rig::{Figure, Mesh, simplified};
+
+use crate::failure::Failure;
+use crate::load;
+
+/// The most figures that walk together.
+pub const MOST: u32 = 20_000;
+/// The farthest that a crowd's ground reaches from its middle, metres: as far as ground is drawn.
+const FARTHEST_M: f32 = 58.0;
+/// Ground for each figure, square metres.
+const ROOM_M2: f32 = 7.0;
+/// The grid in which the ground's heights are kept, metres.
+const CELL_M: f32 = 0.125;
+/// Nobody stands in another after so long, seconds.
+const WARM_UP_SECS: f32 = 4.0;
+/// The step of time of the warming up, seconds.
+const WARM_UP_STEP_SECS: f32 = 1.0 / 20.0;
+/// Walkers differ in pace; times the clip's own.
+const PACES: [f32; 7] = [0.84, 0.90, 0.95, 1.0, 1.04, 1.09, 1.16];
+/// Slower clips are no gait to get along by, metres a second.
+const SLOWEST: f64 = 0.4;
+/// How many samples of a clip are kept a second.
+const SAMPLES_PER_SEC: f64 = 48.0;
+/// How much walkers' colours differ.
+const VARIETY: f32 = 0.55;
+
+/// Figures of one body.
+#[derive(Clone, Debug)]
+pub struct Kind {
+    /// Who.
+    pub figure: Arc<Figure>,
+    /// What is drawn of each: lighter the more there are.
+    pub mesh: Arc<Mesh>,
+    crowd: Crowd,
+}
+
+impl Kind {
+    /// How many.
+    pub fn count(&self) -> usize {
+        self.crowd.count()
+    }
+}
+
+/// Many figures on one ground. The same start and the same steps give the same bits.
+#[derive(Clone, Debug)]
+pub struct Throng {
+    kinds: Vec<Kind>,
+    heights: Arc<Heights>,
+}
+
+impl Throng {
+    /// So many figures (at most [`MOST`]), of the bodies in turn, by the shipped clips. They are where they have come to after
+    /// going round each other for some seconds.
+    ///
+    /// # Errors
+    /// Clips that don't fit a figure, a figure without legs or without a skin.
+    pub fn new(
+        figures: &[Arc<Figure>],
+        clips: &[Clip],
+        ground: &Ground,
+        count: u32,
+        seed: u64,
+    ) -> Result<Throng, Failure> {
+        let count = count.min(MOST) as usize;
+        let half_m = ((count as f32 * ROOM_M2).sqrt() * 0.5 + 3.0).min(FARTHEST_M);
+        let heights = Arc::new(Heights::of(ground, half_m, CELL_M));
+        let vertices = vertices_for(count);
+        let mut kinds = Vec::new();
+        for (i, figure) in figures.iter().enumerate() {
+            // Every n-th figure has the same body.
+            let own = (count + figures.len() - 1 - i) / figures.len();
+            if own > 0 {
+                let seed = seed.wrapping_add((i as u64) << 32);
+                let crowd = crowd(figure, clips, own, half_m, seed)?;
+                kinds.push(Kind { figure: figure.clone(), mesh: light(figure, vertices)?, crowd });
+            }
+        }
+        let mut throng = Throng { kinds, heights };
+        for _ in 0..(WARM_UP_SECS / WARM_UP_STEP_SECS) as usize {
+            throng.step(WARM_UP_STEP_SECS);
+        }
+        Ok(throng)
+    }
+
+    /// Everyone goes on by a time step, seconds.
+    pub fn step(&mut self, dt_secs: f32) {
+        let company =
+            Company::of(self.kinds.iter().flat_map(|kind| kind.crowd.places()), self.heights.half());
+        for kind in &mut self.kinds {
+            kind.crowd.step_among(&company, &self.heights, dt_secs);
+        }
+    }
+
+    /// The bodies that walk.
+    pub fn kinds(&self) -> &[Kind] {
+        &self.kinds
+    }
+
+    /// From the middle to the border of where they walk, metres.
+    pub fn half_m(&self) -> f32 {
+        self.heights.half()
+    }
+
+    /// A point in the middle, about as high as a figure's chest.
+    pub fn middle(&self) -> Vec3 {
+        Vec3::new(0.0, self.heights.at(0.0, 0.0)[0] + 1.1, 0.0)
+    }
+
+    /// Gives their skins to a renderer, into slots from the first on; [`Throng::views`] names the same ones.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_mesh`].
+    pub fn seat(&self, renderer: &mut Renderer, first_slot: usize) -> Result<(), DrawError> {
+        let mut slots = self.kinds.iter().zip(first_slot..);
+        slots.try_for_each(|(kind, slot)| renderer.set_mesh(slot, &kind.mesh))
+    }
+
+    /// What is drawn.
+    pub fn views(&self, first_slot: usize) -> Vec<CrowdView<'_>> {
+        let views = self.kinds.iter().zip(first_slot..).map(|(kind, skin)| CrowdView {
+            skin,
+            variety: VARIETY,
+            seed: skin as u32,
+            ..CrowdView::new(kind.crowd.numbers(), LANES, ROWS, kind.crowd.count())
+        });
+        views.collect()
+    }
+}
+
+/// The vertices of each figure's skin in a crowd of so many.
+fn vertices_for(count: usize) -> usize {
+    match count {
+        0..=30 => usize::MAX,
+        31..=300 => 4000,
+        301..=3000 => 1500,
+        _ => 700,
+    }
+}
+
+fn light(figure: &Figure, vertices: usize) -> Result<Arc<Mesh>, Failure> {
+    let Some(skin) = &figure.skin else {
+        return Err(Failure::Input(format!(
+            "{}: a figure without a skin can't be drawn in a crowd",
+            figure.name
+        )));
+    };
+    Ok(Arc::new(if skin.vertex_count() <= vertices { skin.clone() } else { simplified(skin, vertices) }))
+}
+
+fn crowd(
+    figure: &Arc<Figure>,
+    clips: &[Clip],
+    count: usize,
+    half_m: f32,
+    seed: u64,
+) -> Result<Crowd, Failure> {
+    let legless = || Failure::Input(format!("{}: a figure without legs can't walk", figure.name));
+    let mut gaits = Vec::new();
+    for clip in clips {
+        gaits.extend(gaits_of(&load::fit(clip, figure)?, figure));
+    }
+    let shape = CrowdFigure::of(figure).ok_or_else(legless)?;
+    let gaits = Gaits::new(figure, &gaits).ok_or_else(legless)?;
+    Ok(Crowd::new(shape, gaits, count, half_m, seed))
+}
+
+/// What a clip is to a crowd: a gait at several paces if it goes straight ahead, a way to stand if it goes nowhere.
+fn gaits_of(clip: &FittedClip, figure: &Figure) -> Vec<Gait> {
+    let travel = clip.travel();
+    let (aside, ahead) = (travel.velocity.x, travel.velocity.y);
+    let straight = aside.abs() < 0.05 && travel.turn_rate.abs() < 2.0;
+    let length = clip.length_secs();
+    let count = ((length * SAMPLES_PER_SEC).ceil() as u32).max(2);
+    let samples = || -> Vec<Sample> {
+        let at = |i| {
+            let mut sample = Sample::at_rest(figure);
+            clip.sample(f64::from(i) / f64::from(count), &mut sample);
+            sample
+        };
+        (0..count).map(at).collect()
+    };
+    let gait = |speed: f64, length_secs: f64| Gait {
+        speed: speed as f32,
+        length_secs: length_secs as f32,
+        samples: samples(),
+    };
+    if clip.is_stride() && straight && ahead > SLOWEST {
+        return PACES.iter().map(|pace| gait(ahead * f64::from(*pace), length / f64::from(*pace))).collect();
+    }
+    let stands = !clip.is_stride() && clip.loops() && straight && ahead.abs() < 0.01;
+    stands.then(|| gait(0.0, length)).into_iter().collect()
+}
