@@ -10,6 +10,7 @@ mod fade;
 mod foot;
 mod footing;
 mod hips;
+mod lift;
 mod landing;
 mod plane;
 mod stand;
@@ -22,6 +23,7 @@ use serde::{Deserialize, Serialize};
 use crate::{Bend, Ground, Leg, Sample};
 
 pub use footing::Footing;
+pub use lift::lift_feet;
 pub use stand::stand;
 
 use fade::Fade;

@@ -7,7 +7,7 @@ use rig::{Figure, Place, Pose};
 
 use crate::{
     Feather, FeetState, FootView, Footing, Ground, PlacementSettings, Sample, Steering, Travel, Tree,
-    TreeState, place_feet,
+    TreeState, lift_feet, place_feet,
 };
 
 /// Longer time steps count as this many seconds.
@@ -52,6 +52,7 @@ pub struct Walker {
     feet_state: FeetState,
     /// How far the placement is switched on, 0 to 1; `None` before the first step.
     switched: Option<f64>,
+    flat: Sample,
     placed: Sample,
     pose: Pose,
     feet: [FootView; 2],
@@ -69,18 +70,15 @@ impl Walker {
             footing: Footing::of(&figure),
             feet_state: FeetState::default(),
             switched: None,
-            placed: Sample {
-                hips: DVec3::ZERO,
-                angles: figure.rest_pose().angles,
-                bearing: Default::default(),
-            },
+            flat: Sample::at_rest(&figure),
+            placed: Sample::at_rest(&figure),
             pose: figure.rest_pose(),
             feet: Default::default(),
             figure,
             tree,
         };
-        walker.placed.clone_from(walker.state.sample());
-        walker.take_sample();
+        walker.take_flat();
+        walker.take_pose();
         walker
     }
 
@@ -94,18 +92,28 @@ impl Walker {
         self.steering.slope = self.slope_ahead(ground, dt_secs);
         self.tree.step(&mut self.state, &self.steering, dt_secs);
         self.pose.place = carried(self.pose.place, self.state.travel(), dt_secs);
+        self.take_flat();
         self.place_feet(ground, dt_secs);
-        self.take_sample();
+        self.take_pose();
     }
 
-    fn take_sample(&mut self) {
+    /// From the tree's sample to one whose feet are not below flat ground.
+    fn take_flat(&mut self) {
+        self.flat.clone_from(self.state.sample());
+        // A clip alone has its feet where they belong.
+        if let Some(footing) = self.footing.as_ref().filter(|_| self.state.samplings() > 1) {
+            lift_feet(footing, &mut self.flat);
+        }
+        self.placed.clone_from(&self.flat);
+    }
+
+    fn take_pose(&mut self) {
         self.pose.hips = self.placed.hips;
         self.pose.angles = self.placed.angles;
     }
 
-    /// From the tree's sample to one with the feet on the ground, as far as that is switched on.
+    /// From the sample over flat ground to one with the feet on the ground, as far as that is switched on.
     fn place_feet(&mut self, ground: &Ground, dt_secs: f64) {
-        self.placed.clone_from(self.state.sample());
         let goal = if self.feet_on_ground && self.tree.placement().is_some() { 1.0 } else { 0.0 };
         let former = self.switched.unwrap_or(goal);
         let most = dt_secs / SWITCH_SECS;
@@ -128,7 +136,7 @@ impl Walker {
         place_feet(footing, ground, place, &mut self.placed, &settings, state, dt_secs, &mut self.feet);
         if switched < 1.0 {
             let (part, seen) = (Feather::Smooth.at(switched), [0, 1].map(|side| Seen::of(&self.feet[side])));
-            toward(&mut self.placed, self.state.sample(), height, 1.0 - part);
+            toward(&mut self.placed, &self.flat, height, 1.0 - part);
             self.look_at_feet(ground);
             self.feet.iter_mut().zip(seen).for_each(|(foot, seen)| seen.put(foot, part));
         }
@@ -194,7 +202,7 @@ impl Walker {
 
     /// The figure as its tree has it over flat ground, before the feet were placed.
     pub fn flat(&self) -> &Sample {
-        self.state.sample()
+        &self.flat
     }
 
     /// How far the feet's placement has lowered the hips so that both legs reach, beyond the rise of the ground, metres; 0 or more.

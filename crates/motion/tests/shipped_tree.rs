@@ -7,7 +7,9 @@ mod figures;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
-use motion::{FittedClip, Ground, GroundKind, Steering, Tree, TreeState, Walker, parse_clip, read_tree};
+use motion::{
+    FittedClip, Ground, GroundKind, Steering, Survey, Tree, TreeState, Walker, parse_clip, read_tree,
+};
 use rig::Figure;
 
 /// Every shipped figure with the tree for it, the mannequin first.
@@ -125,5 +127,28 @@ fn a_rough_ride_stays_finite_and_in_range() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn between_its_points_feet_neither_sink_nor_slide_on_flat_ground() {
+    let (_, figure, tree) = &ALL[0];
+    // Between standing and walking, walking and jogging, ahead and aside, turning and not.
+    for (speed, toward, turn) in
+        [(0.3, 0.0, 0.0), (2.0, 0.0, 0.0), (0.6, 40.0, 0.0), (0.0, 0.0, 30.0), (1.3, 0.0, 20.0)]
+    {
+        let (mut walker, mut survey) = (Walker::new(figure.clone(), tree.clone()), Survey::new());
+        for i in 0..600 {
+            walker.step(&Ground::Flat, &steered(speed, toward, turn), 1.0 / 60.0);
+            if i > 30 {
+                survey.add(figure, walker.pose(), walker.feet());
+            }
+        }
+        let summary = survey.summary(None);
+        let sunk = summary.penetration_mm.max(summary.swing_penetration_mm);
+        assert!(sunk < 1.0, "{speed} {toward} {turn}: {sunk} mm");
+        assert!(summary.slide_mm < 2.0, "{speed} {toward} {turn}: {} mm", summary.slide_mm);
+        assert!(summary.float_mm < 8.0, "{speed} {toward} {turn}: {} mm", summary.float_mm);
+        assert!(summary.stance_share > 0.01, "{speed} {toward} {turn}: never stands");
     }
 }

@@ -1,0 +1,23 @@
+//! Feet that a blend puts below flat ground: the legs' angles blend, so feet are not quite where a blend of feet would be.
+
+use glam::DVec3;
+
+use super::Footing;
+use crate::{FootGoal, Sample};
+
+/// Raises feet that are below flat ground at height 0 until their lowest point is on it; knees keep their side and ranges are
+/// kept. Feet above stay as they are, bit for bit. Never allocates.
+pub fn lift_feet(footing: &Footing, sample: &mut Sample) {
+    let hips = footing.hips(sample);
+    for (leg, foot) in footing.legs.sides.iter().zip(&footing.feet) {
+        let ankle = leg.ankle_and_foot(hips, &sample.angles);
+        let toes = ankle.then(foot.toes_in_foot(leg, sample));
+        let height = |(point, on_toes): &(DVec3, bool)| (if *on_toes { toes } else { ankle }).point(*point).y;
+        let lowest = foot.points.iter().map(height).fold(f64::INFINITY, f64::min);
+        if lowest < 0.0 {
+            let bend = leg.bend(&sample.angles);
+            let goal = FootGoal { ankle: ankle.position - DVec3::Y * lowest, rotation: ankle.rotation };
+            leg.solve(hips, &goal, &bend, 0.0, &mut sample.angles);
+        }
+    }
+}
