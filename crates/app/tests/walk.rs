@@ -288,7 +288,7 @@ fn bad_walks_say_why_in_a_sentence() {
         (&["--seed", "-3"], 2, "--seed"),
         (&["--ground", "hils"], 2, "did you mean \"hills\"?"),
         (&["--ground", "grass.txt"], 1, "grass.txt"),
-        (&["--ground", text(&broken)], 1, "broken.obj:2:"),
+        (&["--ground", text(&broken)], 1, "broken.obj:1:1: "),
         (&["--ground", text(&empty)], 1, "empty.stl:1:1: "),
         (&["--ground", text(&glb)], 1, "no.glb:1:1: "),
         (&["--ground", text(&wall)], 1, "wall.obj:1:1: "),
