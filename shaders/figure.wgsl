@@ -306,6 +306,18 @@ fn presence(world: vec3<f32>) -> f32 {
     return 1.0 - smoothstep(0.35, 0.98, away);
 }
 
+// How much of the grid's lines is at a place.
+fn grid_on(at: vec2<f32>, pixel: vec2<f32>, n: vec3<f32>) -> f32 {
+    if !lined {
+        return 0.0;
+    }
+    // A line that runs along a riser would cover it whole.
+    let level = vec2(1.0) - n.xz * n.xz;
+    let fine = lines(at, pixel, scene.ground.w) * level;
+    let metre = lines(at, pixel, scene.ground.w * 10.0) * level;
+    return max(max(fine.x, fine.y) * 0.10, max(metre.x, metre.y) * 0.30);
+}
+
 @fragment
 fn fs_ground(in: Surface) -> @location(0) vec4<f32> {
     let there = presence(in.world);
@@ -319,23 +331,18 @@ fn fs_ground(in: Surface) -> @location(0) vec4<f32> {
     let key = clamp(dot(n, scene.key.xyz), 0.0, 1.0) * exposed.y;
     let light = mix(GROUND, SKY, 0.5 + 0.5 * n.y) * (1.6 * mix(0.35, 1.0, open)) + KEY * (key * mix(0.6, 1.0, open));
     var c = encoded(tone(in.color * light));
-    if lined {
-        // A line that runs along a riser would cover it whole.
-        let level = vec2(1.0) - n.xz * n.xz;
-        let fine = lines(in.world.xz, pixel, scene.ground.w) * level;
-        let metre = lines(in.world.xz, pixel, scene.ground.w * 10.0) * level;
-        let cover = max(max(fine.x, fine.y) * 0.10, max(metre.x, metre.y) * 0.30);
-        let bright = dot(scene.background_top.rgb + scene.background_bottom.rgb, vec3(1.0 / 6.0)) > 0.5;
-        c = mix(c, select(vec3(0.86, 0.88, 0.91), vec3(0.12, 0.14, 0.17), bright), cover);
-    }
+    let bright = dot(scene.background_top.rgb + scene.background_bottom.rgb, vec3(1.0 / 6.0)) > 0.5;
+    c = mix(c, select(vec3(0.86, 0.88, 0.91), vec3(0.12, 0.14, 0.17), bright), grid_on(in.world.xz, pixel, n));
     return painted(c) * there;
 }
 
-// Ground in a drawing: paper with the survey's lines.
+// Ground in a drawing: paper with the survey's lines and, in pencil, those of the grid.
 @fragment
 fn fs_ground_line(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let drawn = drawing(in, front);
-    return painted(mix(PAPER, drawn.rgb, presence(in.world)));
+    let pixel = max(fwidth(in.world.xz), vec2(1e-5));
+    let drawn = drawing(in, front).rgb;
+    let pencilled = mix(drawn, INK, grid_on(in.world.xz, pixel, normalize(in.normal)) * 0.9);
+    return painted(mix(PAPER, pencilled, presence(in.world)));
 }
 
 @fragment

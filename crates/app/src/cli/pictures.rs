@@ -136,7 +136,7 @@ impl ShotArguments {
 #[derive(Args, Debug)]
 struct ViewArguments {
     /// From where: front, back, left, right, top, bottom or three-quarter, which is what is seen if nothing else is told; a walk
-    /// is then seen from its left, somewhat ahead.
+    /// is then seen from its right, somewhat ahead.
     #[arg(long)]
     view: Option<View>,
     /// About the vertical in place of the view's: 0 before the figure, 90 at its left.

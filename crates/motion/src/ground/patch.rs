@@ -23,6 +23,9 @@ pub(super) fn patch(ground: &Ground, center: DVec2, half_extent_m: f64) -> Mesh 
                 let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
                 sheet.polygon(corners, *normal, square(middle.x, middle.z));
             }
+            for (corners, normal) in mesh.walls(low, high) {
+                sheet.polygon(corners, *normal, SHADE);
+            }
         }
         Ground::Flat | Ground::Slope(_) => sheet.squares(ground, low, high),
     }

@@ -12,6 +12,8 @@ const MOST_CELLS: usize = 1024;
 pub struct Sheet {
     /// Corners, unit normal upward.
     triangles: Vec<([DVec3; 3], DVec3)>,
+    /// Upright ones, only to be drawn: corners, unit normal outward.
+    walls: Vec<([DVec3; 3], DVec3)>,
     low: DVec2,
     high: DVec2,
     cells_a_metre: f64,
@@ -59,6 +61,7 @@ impl Sheet {
             return Err(SheetError::NotFinite(bad));
         }
         let mut triangles = Vec::with_capacity(indices.len() / 3);
+        let mut walls = Vec::new();
         for (triangle, corners) in indices.as_chunks::<3>().0.iter().enumerate() {
             let find = |index: u32| {
                 let fault = SheetError::Index { triangle, index, vertices: positions.len() };
@@ -68,12 +71,14 @@ impl Sheet {
             let normal = (b - a).cross(c - a).normalize_or_zero();
             if normal.y.abs() > 0.02 {
                 triangles.push(([a, b, c], normal * normal.y.signum()));
+            } else if normal != DVec3::ZERO {
+                walls.push(([a, b, c], normal));
             }
         }
         if triangles.is_empty() {
             return Err(SheetError::Empty(indices.len() / 3));
         }
-        Ok(Sheet::indexed(triangles))
+        Ok(Sheet { walls, ..Sheet::indexed(triangles) })
     }
 
     fn indexed(triangles: Vec<([DVec3; 3], DVec3)>) -> Sheet {
@@ -88,6 +93,7 @@ impl Sheet {
         let (columns, rows) = (count(size.x), count(size.y));
         let mut sheet = Sheet {
             triangles,
+            walls: Vec::new(),
             low,
             high,
             cells_a_metre: 1.0 / cell,
@@ -160,11 +166,18 @@ impl Sheet {
 
     /// The triangles that touch a rectangle: corners and unit normal.
     pub(crate) fn triangles(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = &([DVec3; 3], DVec3)> {
-        self.triangles.iter().filter(move |(corners, _)| {
-            let [a, b, c] = corners.map(|p| DVec2::new(p.x, p.z));
-            a.min(b).min(c).cmple(high).all() && a.max(b).max(c).cmpge(low).all()
-        })
+        self.triangles.iter().filter(move |(corners, _)| overlaps(corners, low, high))
     }
+
+    /// The upright triangles whose boxes overlap one, with their outward normals.
+    pub(crate) fn walls(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = &([DVec3; 3], DVec3)> {
+        self.walls.iter().filter(move |(corners, _)| overlaps(corners, low, high))
+    }
+}
+
+fn overlaps(corners: &[DVec3; 3], low: DVec2, high: DVec2) -> bool {
+    let [a, b, c] = corners.map(|p| DVec2::new(p.x, p.z));
+    a.min(b).min(c).cmple(high).all() && a.max(b).max(c).cmpge(low).all()
 }
 
 /// Where the vertical through a place meets a triangle, its edges included.

@@ -13,9 +13,9 @@ use crate::picture::{Darkroom, Moment, Shot, Subject, Underfoot, Work, following
 
 /// Of so many frames at most the figure's box is taken to find where the camera stands.
 const BOXES: usize = 48;
-/// Where the camera stands unless another view is told: from the left, where neither what rises ahead nor what rises behind
-/// hides the feet.
-const YAW_DEG: f32 = 68.0;
+/// Where the camera stands unless another view is told: from the right, where the light comes from and neither what rises
+/// ahead nor what rises behind hides the feet.
+const YAW_DEG: f32 = -68.0;
 const PITCH_DEG: f32 = 13.0;
 /// The camera doesn't follow what comes and goes within so long, seconds.
 const CALM_SECS: f64 = 0.8;
