@@ -12,8 +12,10 @@ use motion::{
 };
 use rig::Figure;
 
+type Bound = (&'static str, Arc<Figure>, Arc<Tree>);
+
 /// Every shipped figure with the tree for it, the mannequin first.
-static ALL: LazyLock<Vec<(&str, Arc<Figure>, Arc<Tree>)>> = LazyLock::new(|| {
+static ALL: LazyLock<Vec<Bound>> = LazyLock::new(|| {
     let all = figures::all_shipped();
     let mannequin = all[0].1.clone();
     let bound = |(name, figure): (&'static str, Figure)| {
