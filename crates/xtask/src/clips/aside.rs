@@ -12,11 +12,12 @@ use super::step::Step;
 /// To the left at 0.8 m/s, the left foot stepping out and the right one closing up.
 pub fn strafe() -> Motion {
     let mut motion = on_the_spot("strafe-left");
-    motion.length_secs = 0.70;
+    motion.length_secs = 0.66;
+    motion.least_knee = 18.0;
     motion.path = Path { velocity: DVec2::new(0.8, 0.0), turn_rate: 0.0 };
     // The leading foot lands heel and outer edge first, the trailing one pushes off with the ball.
     let step = |leads: bool| Step {
-        print: DVec2::new(0.19, if leads { 0.015 } else { -0.015 }),
+        print: DVec2::new(0.18, if leads { 0.015 } else { -0.015 }),
         out_turn: 5.0,
         middle: 0.29,
         lift: 0.58,
@@ -29,16 +30,16 @@ pub fn strafe() -> Motion {
             (0.68, if leads { -16.0 } else { -24.0 }),
             (0.85, if leads { 2.0 } else { -10.0 }),
         ]),
-        toes_down: Curve::cyclic(&[(0.0, 0.0), (0.55, 0.0), (0.66, 8.0), (0.80, -4.0), (0.92, -4.0)]),
-        heights: vec![(0.35, 0.125), (0.70, 0.112), (0.88, 0.088)],
+        toes_down: Curve::cyclic(&[(0.0, 0.0), (0.60, 0.0), (0.68, 1.0), (0.80, -4.0), (0.93, -4.0)]),
+        heights: vec![(0.30, if leads { 0.131 } else { 0.144 }), (0.72, if leads { 0.115 } else { 0.119 })],
         detour: DVec2::new(0.0, if leads { 0.015 } else { -0.012 }),
-        brake: DVec2::new(2.0, 0.0),
+        brake: DVec2::new(2.0, 8.0),
         sole_in: if leads { 3.0 } else { -3.0 },
     };
     motion.steps = [step(true), step(false)];
     let hips = &mut motion.hips;
     hips.aside = Curve::waves(0.0, &[(1.0, 0.022, 0.24), (2.0, 0.006, 0.1)]);
-    hips.height = Curve::waves(0.9200, &[(2.0, 0.012, 0.42)]);
+    hips.height = Curve::waves(0.9080, &[(2.0, 0.008, 0.42)]);
     hips.list = Curve::waves(0.0, &[(1.0, -2.5, 0.20)]);
     hips.turn = Curve::waves(0.0, &[(1.0, 2.5, 0.10), (2.0, 0.8, 0.3)]);
     hips.tilt = Curve::waves(7.0, &[(2.0, 1.2, 0.1)]);
@@ -115,7 +116,7 @@ fn on_the_spot(name: &'static str) -> Motion {
         arms: [arm(0.0), arm(0.0)],
         steps: [step.clone(), step],
         path: idle::STILL,
-        least_knee: 13.0,
+        least_knee: 15.0,
         keys: 40,
     }
 }

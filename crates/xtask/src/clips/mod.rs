@@ -6,12 +6,12 @@ mod curve;
 mod idle;
 mod jog;
 mod leg;
-pub mod motion;
+mod motion;
 mod path;
 mod rising;
 mod sole;
 mod step;
-pub mod walk;
+mod walk;
 
 use ::motion::write_clip;
 use anyhow::Context;
@@ -20,7 +20,7 @@ use rig::Figure;
 use motion::Motion;
 
 /// Every motion that ships. `None` if the figure lacks a part.
-pub fn motions(figure: &Figure) -> Option<Vec<Motion>> {
+fn motions(figure: &Figure) -> Option<Vec<Motion>> {
     let (arc, strafe, turn) = (walk::walk_turn(), aside::strafe(), aside::turn());
     let motions = [
         idle::idle(),
@@ -56,3 +56,6 @@ pub fn run() -> anyhow::Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

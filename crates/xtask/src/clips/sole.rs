@@ -37,11 +37,6 @@ impl Sole {
         })
     }
 
-    /// The ankle's height over a flat foot, metres.
-    pub fn ankle_height(&self) -> f64 {
-        self.ankle
-    }
-
     /// Where the ankle is, ahead of where it is over the flat foot and above the ground, as the foot rolls without
     /// sliding: the foot raises its toes by `pitch` over the heel, or (negative) its heel over the toes' joint; the
     /// toes tip down over their tips by `toes_down`. Radians.
@@ -56,17 +51,5 @@ impl Sole {
             let to_ankle = DVec2::new(0.0, self.ankle) - self.toes;
             center + DVec2::from_angle(-over).rotate(joint) + DVec2::from_angle(pitch).rotate(to_ankle)
         }
-    }
-
-    /// Height of the lowest point of the skin's outline under an ankle at height 0, metres (so negative): for a foot
-    /// in the air.
-    pub fn lowest(&self, pitch: f64, toes_down: f64) -> f64 {
-        let turn = DVec2::from_angle(pitch);
-        let heel = turn.rotate(DVec2::new(self.heel, HEEL_RADIUS - self.ankle)).y - HEEL_RADIUS;
-        let joint = turn.rotate(self.toes - DVec2::new(0.0, self.ankle));
-        let ball = turn.rotate(DVec2::new(self.toes.x, -self.ankle)).y;
-        let tip = DVec2::new(self.tip - self.toes.x, TIP_RADIUS - self.toes.y);
-        let tip = (joint + DVec2::from_angle(-toes_down).rotate(tip)).y - TIP_RADIUS;
-        heel.min(ball).min(tip)
     }
 }

@@ -8,7 +8,8 @@ use super::motion::Motion;
 use super::path::Path;
 use super::step::Step;
 
-/// The plain walk: 1.40 m/s, 0.98 s a stride.
+/// The plain walk: 1.40 m/s, 0.98 s a stride. Times of the foot's rockers, shares of hips, trunk and arms.
+/// Sources: `winter`, `winter92`, `perry`, `murray`.
 pub fn walk() -> Motion {
     let arm = Arm {
         // Back most as its own foot strikes.
@@ -58,7 +59,7 @@ pub fn walk() -> Motion {
             (0.84, -12.0),
             (0.92, -31.0),
         ]),
-        heights: vec![(0.17, 0.245), (0.52, 0.1155), (0.80, 0.0955)],
+        heights: vec![(0.17, 0.245), (0.52, 0.1172), (0.80, 0.0955)],
         detour: DVec2::new(0.004, 0.0),
         brake: DVec2::new(-3.0, 0.0),
         sole_in: 5.0,
@@ -120,6 +121,7 @@ pub fn walk_back() -> Motion {
     motion.name = "walk-back";
     motion.length_secs = 1.04;
     motion.least_knee = 11.0;
+    motion.keys = 60;
     motion.path = Path { velocity: DVec2::new(0.0, -0.90), turn_rate: 0.0 };
     let step = Step {
         print: DVec2::new(0.06, 0.03),
@@ -144,10 +146,10 @@ pub fn walk_back() -> Motion {
             (0.60, -12.0),
             (0.68, -22.0),
             (0.80, 6.0),
-            (0.90, 19.0),
-            (0.95, 12.0),
+            (0.90, 15.0),
+            (0.95, 6.0),
         ]),
-        heights: vec![(0.25, 0.135), (0.60, 0.175), (0.85, 0.165)],
+        heights: vec![(0.25, 0.130), (0.60, 0.166), (0.85, 0.164)],
         detour: DVec2::new(0.006, 0.0),
         brake: DVec2::new(2.0, 0.0),
         sole_in: 4.0,
