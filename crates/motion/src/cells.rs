@@ -1,4 +1,5 @@
-//! Cells between the points of an axis blend: segments, triangles or tetrahedra, and the weights of their corners.
+//! Cells between the points of an axis blend: segments, triangles or tetrahedra, and the weights of their
+//! corners.
 //!
 //! All is reckoned in axes that are scaled so that the points fill 0 to 1 along each.
 
@@ -13,7 +14,8 @@ const NEAR: f64 = 1e-3;
 const FLAT: f64 = 1e-7;
 /// Weights below are 0, so that the points themselves have weights of exactly 1 and 0.
 const NOTHING: f64 = 1e-12;
-/// How far heights are lifted at most to make them generic: far less than two near points' heights differ, far more than rounding.
+/// How far heights are lifted at most to make them generic: far less than two near points' heights differ,
+/// far more than rounding.
 const LIFT: f64 = 1e-8;
 
 /// Why points or cells can't be blended between.
@@ -43,7 +45,8 @@ pub enum CellsError {
         /// The number of parameters.
         dims: usize,
     },
-    /// A cell that has not one corner more than there are parameters, or names one that there isn't, or one twice.
+    /// A cell that has not one corner more than there are parameters, or names one that there isn't, or one
+    /// twice.
     #[error("expected {corners} different points of {points}, counted from 0")]
     Corners {
         /// The cell.
@@ -109,8 +112,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Cells between points with 1 to 3 coordinates (the rest 0): a Delaunay triangulation; where several are as good,
-    /// on grids and circles, the points' order decides.
+    /// Cells between points with 1 to 3 coordinates (the rest 0): a Delaunay triangulation; where several are
+    /// as good, on grids and circles, the points' order decides.
     ///
     /// # Errors
     /// Too few or too many points, points at one place, all on one line or plane.
@@ -158,8 +161,9 @@ impl Cells {
         self.cells.iter().map(|cell| &cell.corners[..=self.dims])
     }
 
-    /// The weights of all points at a place: none below 0, at most one more than there are parameters above it, in sum 1 to
-    /// the last digits. Outside of the points' hull those of its nearest place (by scaled axes).
+    /// The weights of all points at a place: none below 0, at most one more than there are parameters above
+    /// it, in sum 1 to the last digits. Outside of the points' hull those of its nearest place (by scaled
+    /// axes).
     ///
     /// The place must be finite; `out` has room for every point.
     pub fn weights(&self, place: [f64; 3], out: &mut [f64]) {
@@ -201,7 +205,8 @@ impl Cells {
         weights[..=self.dims].iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// Of the place of the hull that is nearest to one outside. The hull is convex, so this place goes along without a jump.
+    /// Of the place of the hull that is nearest to one outside. The hull is convex, so this place goes along
+    /// without a jump.
     fn weights_of_nearest(&self, place: DVec3, out: &mut [f64]) {
         let mut best = (f64::INFINITY, [0; 3], [1.0, 0.0, 0.0]);
         for face in &self.faces {
@@ -313,9 +318,9 @@ impl Cells {
         self.cell(corners).ok_or(CellsError::Flat { cell: c })
     }
 
-    /// The lower hull of the points lifted onto a paraboloid: those cells under whose plane no lifted point lies. Small
-    /// offsets of the heights, other for every index, see to it that no plane holds more points than its corners, so
-    /// the cells fit together on grids and circles, too.
+    /// The lower hull of the points lifted onto a paraboloid: those cells under whose plane no lifted point
+    /// lies. Small offsets of the heights, other for every index, see to it that no plane holds more points
+    /// than its corners, so the cells fit together on grids and circles, too.
     fn regular(&self) -> Vec<Cell> {
         let height = |i: usize| self.points[i].length_squared() + LIFT * offset(i);
         let heights: Vec<f64> = (0..self.points.len()).map(height).collect();
@@ -357,8 +362,8 @@ impl Cells {
         faces
     }
 
-    /// Whether two cells share more than a border: no axis along which one is beyond the other. For simplices the normals of
-    /// faces and the products of edges are all the axes there are to try.
+    /// Whether two cells share more than a border: no axis along which one is beyond the other. For simplices
+    /// the normals of faces and the products of edges are all the axes there are to try.
     fn overlap(&self, a: &Cell, b: &Cell) -> bool {
         let directions = |cell: &Cell| {
             let corners = cell.corners[..=self.dims].iter().map(|&c| self.points[c]);

@@ -46,8 +46,9 @@ impl Parameter {
         }
     }
 
-    /// The value that a figure of another size has where the reference figure has 1. `pace` is the ratio of their speeds:
-    /// the square root of that of their legs, so times have the same ratio and rates of turning the inverse.
+    /// The value that a figure of another size has where the reference figure has 1. `pace` is the ratio of
+    /// their speeds: the square root of that of their legs, so times have the same ratio and rates of turning
+    /// the inverse.
     pub fn of_pace(self, pace: f64) -> f64 {
         match self {
             Parameter::Speed | Parameter::Forward | Parameter::Sideways => pace,
@@ -77,7 +78,8 @@ impl Steering {
         }
     }
 
-    /// The same with numbers to reckon with: NaN as 0, what is beyond a million as a million. Trees do this themselves.
+    /// The same with numbers to reckon with: NaN as 0, what is beyond a million as a million. Trees do this
+    /// themselves.
     pub fn tidied(&self) -> Steering {
         let tidy = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-FARTHEST, FARTHEST) };
         Steering {

@@ -38,8 +38,9 @@ impl Default for Smoothing {
 /// A figure that walks. Same start, same steps, same bits.
 #[derive(Clone, Debug)]
 pub struct Walker {
-    /// Whether feet are placed on the ground, if the tree does so. Without, they go as over flat ground that is as high as the
-    /// ground under the figure. Between steps they don't jump: a change takes 0.3 s to come into force, except before the first.
+    /// Whether feet are placed on the ground, if the tree does so. Without, they go as over flat ground that
+    /// is as high as the ground under the figure. Between steps they don't jump: a change takes 0.3 s to come
+    /// into force, except before the first.
     pub feet_on_ground: bool,
     /// How fast it follows its steering; `None`: at once.
     pub smoothing: Option<Smoothing>,
@@ -164,8 +165,9 @@ impl Walker {
         slope
     }
 
-    /// Puts another tree in the place of the present one, as after its file was saved: the stride's phase stays, and clocks and
-    /// states of nodes that have kept their names. The clips must be fitted to this figure.
+    /// Puts another tree in the place of the present one, as after its file was saved: the stride's phase
+    /// stays, and clocks and states of nodes that have kept their names. The clips must be fitted to this
+    /// figure.
     pub fn replace_tree(&mut self, tree: Arc<Tree>) {
         self.state = self.state.carried_over(&self.tree, &tree);
         self.tree = tree;
@@ -205,7 +207,8 @@ impl Walker {
         &self.flat
     }
 
-    /// How far the feet's placement has lowered the hips so that both legs reach, beyond the rise of the ground, metres; 0 or more.
+    /// How far the feet's placement has lowered the hips so that both legs reach, beyond the rise of the
+    /// ground, metres; 0 or more.
     pub fn hips_drop_m(&self) -> f64 {
         -self.feet[0].hips_drop
     }

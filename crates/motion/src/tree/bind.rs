@@ -11,7 +11,8 @@ use super::plan::{At, Condition, Plan, PlanNode, Transition, parse_plan};
 use crate::cells::Cells;
 use crate::{Feather, FittedClip, Parameter, PlacementSettings};
 
-/// A blend tree for one figure. Walkers of that figure share it; each has its own [`TreeState`](super::TreeState).
+/// A blend tree for one figure. Walkers of that figure share it; each has its own
+/// [`TreeState`](super::TreeState).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Tree {
     pub(super) nodes: Vec<Node>,
@@ -111,8 +112,8 @@ pub fn read_tree(text: &str, clips: &[Arc<FittedClip>]) -> Result<Tree, TextFaul
 }
 
 impl Tree {
-    /// A plan with the clips of one figure, found by name. Points, thresholds and times of the plan are scaled as the first clip
-    /// was in speed, so a child walks where its own walk is.
+    /// A plan with the clips of one figure, found by name. Points, thresholds and times of the plan are
+    /// scaled as the first clip was in speed, so a child walks where its own walk is.
     ///
     /// # Errors
     /// What [`Plan::check`] finds; clips that there aren't; strides that are to go backward.
@@ -137,7 +138,8 @@ impl Tree {
         Ok(tree)
     }
 
-    /// The clips that it plays, in the order of the weights in [`TreeState::weights`](super::TreeState::weights).
+    /// The clips that it plays, in the order of the weights in
+    /// [`TreeState::weights`](super::TreeState::weights).
     pub fn clips(&self) -> &[Arc<FittedClip>] {
         &self.clips
     }

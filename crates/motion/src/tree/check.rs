@@ -1,4 +1,5 @@
-//! What a plan's text can say and a tree can't do: found before a tree is made, with the way to the value at fault.
+//! What a plan's text can say and a tree can't do: found before a tree is made, with the way to the value at
+//! fault.
 
 use std::ops::RangeInclusive;
 

@@ -43,7 +43,8 @@ pub(super) fn add_angles(out: &mut Sample, weight: f64, other: &Sample) {
     }
 }
 
-/// Some bones go toward another sample; with amount 1 they have its bits. A foot bears as the sample that its bone is of.
+/// Some bones go toward another sample; with amount 1 they have its bits. A foot bears as the sample that its
+/// bone is of.
 pub(super) fn mask(out: &mut Sample, bones: &[bool; Bone::COUNT], amount: f64, layer: &Sample) {
     let toward = |from: f64, to: f64| if amount == 1.0 { to } else { from + (to - from) * amount };
     let masked = out.angles.iter_mut().zip(&layer.angles).zip(bones).filter(|(_, has)| **has);

@@ -37,7 +37,8 @@ impl<'a> BlendView<'a> {
 }
 
 impl Tree {
-    /// The tree's nodes, outer ones before what is in them, with the weights of a state's last step. Nothing is allocated.
+    /// The tree's nodes, outer ones before what is in them, with the weights of a state's last step. Nothing
+    /// is allocated.
     pub fn outline<'a>(&'a self, state: &'a TreeState) -> impl Iterator<Item = OutlineNode<'a>> {
         self.nodes.iter().zip(&state.nodes).map(|(node, now)| OutlineNode {
             depth: node.level,

@@ -1,4 +1,5 @@
-//! Where a value stands in a RON text that is known to be well formed: found by walking the text along the value's path.
+//! Where a value stands in a RON text that is known to be well formed: found by walking the text along the
+//! value's path.
 
 use rig::TextFault;
 
@@ -34,8 +35,8 @@ fn written(path: &[Step]) -> String {
 }
 
 impl PlanFault {
-    /// The fault with its place in the text that the plan was read from; if the text lacks the value, the place of the
-    /// innermost one around it that it has.
+    /// The fault with its place in the text that the plan was read from; if the text lacks the value, the
+    /// place of the innermost one around it that it has.
     pub fn in_text(&self, text: &str) -> TextFault {
         let offset = offset_of(text, &self.path);
         let before = &text[..text.floor_char_boundary(offset)];

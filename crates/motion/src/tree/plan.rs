@@ -73,7 +73,8 @@ pub enum PlanNode {
         /// How much, 0 to 1.
         #[serde(default = "one", skip_serializing_if = "is_one")]
         amount: f64,
-        /// A parameter and the value at which the amount is reached; it grows with the parameter, to the other side too.
+        /// A parameter and the value at which the amount is reached; it grows with the parameter, to the
+        /// other side too.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         by: Option<(Parameter, f64)>,
     },

@@ -78,14 +78,15 @@ impl TreeState {
         self.phase
     }
 
-    /// Sets the phase of the stride, so that walkers of a crowd don't march: its part beyond whole numbers, 0 for NaN. It is
-    /// seen in the next step.
+    /// Sets the phase of the stride, so that walkers of a crowd don't march: its part beyond whole numbers, 0
+    /// for NaN. It is seen in the next step.
     pub fn set_phase(&mut self, phase: f64) {
         let phase = phase.rem_euclid(1.0);
         self.phase = if phase < 1.0 { phase } else { 0.0 };
     }
 
-    /// The weight of each of the tree's clips, in the order of [`Tree::clips`]; the sum is 1. Layers are left out.
+    /// The weight of each of the tree's clips, in the order of [`Tree::clips`]; the sum is 1. Layers are left
+    /// out.
     pub fn weights(&self) -> &[f64] {
         &self.clip_weights
     }
@@ -100,8 +101,8 @@ impl TreeState {
         self.samplings
     }
 
-    /// This walker's state in another tree, which takes the place of the one that it has been in: the stride's phase stays, and
-    /// clocks and states of nodes that have kept their names.
+    /// This walker's state in another tree, which takes the place of the one that it has been in: the
+    /// stride's phase stays, and clocks and states of nodes that have kept their names.
     pub fn carried_over(&self, from: &Tree, to: &Tree) -> TreeState {
         let mut state = TreeState::new(to);
         state.phase = self.phase;

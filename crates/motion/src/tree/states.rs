@@ -53,10 +53,10 @@ impl Machine {
         self.feather = feather;
     }
 
-    /// Goes on. With u the part of the transition that has passed and s the feather curve,
-    /// w = (1 − s(u)) (w₀ + r₀ τ) + s(u) e, where e is 1 for the state that it goes to, w₀ and r₀ are the first weights and rates,
-    /// and τ grows at first as time does and comes to rest at half the horizon. So values and rates go on without a jump, no
-    /// weight falls below 0, and the sum stays 1, as the sum of rates is 0.
+    /// Goes on. With u the part of the transition that has passed and s the feather curve, w = (1 − s(u)) (w₀
+    /// + r₀ τ) + s(u) e, where e is 1 for the state that it goes to, w₀ and r₀ are the first weights and
+    /// rates, and τ grows at first as time does and comes to rest at half the horizon. So values and rates go
+    /// on without a jump, no weight falls below 0, and the sum stays 1, as the sum of rates is 0.
     pub(super) fn go_on(&mut self, dt_secs: f64) {
         if self.secs == 0.0 {
             return;
@@ -89,8 +89,8 @@ impl Machine {
         if t >= horizon { (horizon / 2.0, 0.0) } else { (t - t * t / (2.0 * horizon), 1.0 - t / horizon) }
     }
 
-    /// Takes over where another was, states by their names; what is in a state that there isn't any more goes to the current
-    /// one, and if that is gone, nothing is taken over.
+    /// Takes over where another was, states by their names; what is in a state that there isn't any more goes
+    /// to the current one, and if that is gone, nothing is taken over.
     pub(super) fn take_over(&mut self, node: &StatesNode, former: &Machine, former_node: &StatesNode) {
         let here = |s: usize| node.names.iter().position(|name| *name == former_node.names[s]);
         let Some(current) = here(former.current) else { return };

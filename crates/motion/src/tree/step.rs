@@ -12,8 +12,8 @@ const LONGEST_STEP_SECS: f64 = 1.0;
 /// How far from its axis a turning figure's feet are taken to step, metres, for a figure of the reference size.
 const TURNING_RADIUS_M: f64 = 0.15;
 
-/// Where strides have this weight among what doesn't step, they alone tell how the feet bear: a foot that is to step can't stand
-/// as well, however little it steps.
+/// Where strides have this weight among what doesn't step, they alone tell how the feet bear: a foot that is
+/// to step can't stand as well, however little it steps.
 const STRIDES_DECIDE: f64 = 0.02;
 
 /// Sums over the strides that have a weight, for the frequency that they share.
@@ -56,8 +56,9 @@ struct Descent<'a> {
 }
 
 impl Tree {
-    /// Goes on by a time step, seconds: NaN and less than 0 count as 0, more than 1 as 1. Afterwards the state has the new
-    /// sample, travel and weights. The state must be of this tree. Parameters may be any numbers; see [`Steering::tidied`].
+    /// Goes on by a time step, seconds: NaN and less than 0 count as 0, more than 1 as 1. Afterwards the
+    /// state has the new sample, travel and weights. The state must be of this tree. Parameters may be any
+    /// numbers; see [`Steering::tidied`].
     pub fn step(&self, state: &mut TreeState, steering: &Steering, dt_secs: f64) {
         let dt_secs = if dt_secs > 0.0 { dt_secs.min(LONGEST_STEP_SECS) } else { 0.0 };
         for node in &mut state.nodes {
@@ -316,7 +317,8 @@ impl TreeState {
     }
 }
 
-/// The phase of a clip that is no stride: loops go round, others begin as they get a weight and stay at their end.
+/// The phase of a clip that is no stride: loops go round, others begin as they get a weight and stay at their
+/// end.
 fn own_clock(node: &NodeState, clip: &FittedClip, frequency: f64, dt_secs: f64) -> f64 {
     if clip.loops() {
         let clock = (node.clock + dt_secs * frequency).rem_euclid(1.0);
