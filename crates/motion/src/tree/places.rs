@@ -241,13 +241,16 @@ mod tests {
     #[test]
     fn values_are_found_among_comments_strings_and_brackets() {
         use Step::{Field, Item};
-        let text = "#![enable(implicit_some)]\n// root: no\n(version: 1, root: Blend(\n  by: [Speed, /* by: */ Turn],\n  name: \"a ) \\\" (\", raw: r#\" \" ) \"#,\n  points: Some([(0, A), ((1, 2), \
-                    B(x: 3)),]),\n))";
+        let text = concat!(
+            "#![enable(implicit_some)]\n// root: no\n(version: 1, root: Blend(\n",
+            "  by: [Speed, /* by: */ Turn],\n  name: \"a ) \\\" (\", raw: r#\" \" ) \"#,\n",
+            "  points: Some([(0, A), ((1, 2), B(x: 3)),]),\n))",
+        );
         assert_eq!(at(text, &[]), (3, 1));
         assert_eq!(at(text, &[Field("root")]), (3, 20));
         assert_eq!(at(text, &[Field("root"), Field("by"), Item(1)]), (4, 25));
-        assert_eq!(at(text, &[Field("root"), Field("points"), Item(1), Item(0), Item(1)]), (6, 29));
-        assert_eq!(at(text, &[Field("root"), Field("points"), Item(1), Item(1), Field("x")]), (6, 38));
+        assert_eq!(at(text, &[Field("root"), Field("points"), Item(1), Item(0), Item(1)]), (6, 30));
+        assert_eq!(at(text, &[Field("root"), Field("points"), Item(1), Item(1), Field("x")]), (6, 39));
     }
 
     #[test]
