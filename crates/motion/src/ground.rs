@@ -146,6 +146,11 @@ impl Ground {
         }
     }
 
+    /// Whether heights may jump from place to place.
+    pub fn has_steps(&self) -> bool {
+        matches!(self, Ground::Stairs(_) | Ground::Stones(_) | Ground::Mesh(_))
+    }
+
     /// The height alone.
     pub fn height(&self, x: f64, z: f64) -> f64 {
         match self {

@@ -120,6 +120,9 @@ pub fn place_feet(
         level.position.is_finite() && flat.iter().all(|f| f.position.is_finite() && f.rotation.is_finite());
     if settings.on && sound {
         let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
+        let going = Going::on(state.place, &level, dt_secs, at_once);
+        let after = |secs: f64| going.after(secs);
+        state.place = level;
         let targets = [0, 1].map(|side| {
             let leg = &footing.legs.sides[side];
             let now = foot::Moment {
@@ -130,17 +133,13 @@ pub fn place_feet(
                 reach: settings.reach(leg, &bends[side]),
                 dt_secs,
                 at_once,
+                after: &after,
             };
             state.feet[side].step(&footing.feet[side], ground, &now)
         });
-        let going = Going::on(state.place, &level, dt_secs, at_once);
-        state.place = level;
-        let coming = [0, 1].map(|side| {
-            state.feet[side].landing.coming(&footing.feet[side], ground, |secs| going.after(secs))
-        });
         let around = hips::around(&world_from_figure, sample, &targets);
         let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
-        drop = reach.drop(flat_hips, around.height, &targets, &coming, &mut state.drop, dt_secs, at_once);
+        drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
         sample.hips.y += around.height + drop;
         let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
         state.lean.follow(lean, 3.0, dt_secs, at_once);

@@ -7,7 +7,7 @@ use rig::{Dof, Frame};
 use super::PlacementSettings;
 use super::fade::{Fade, smooth};
 use super::footing::{Foot, Footing};
-use super::landing::{Landing, Touch};
+use super::landing::{Coming, Landing, Touch};
 use super::plane::Plane;
 use crate::{Bearing, Bend, FootGoal, Ground, Sample};
 
@@ -15,6 +15,8 @@ use crate::{Bearing, Bend, FootGoal, Ground, Sample};
 const SLIP_FADES: f64 = 16.0;
 /// How quickly the plane that it stood on fades into that of the ground below, 1/s.
 const PLANE_FADES: f64 = 22.0;
+/// What a foot's plane goes up or down at once, at most, metres.
+const JUMP_M: f64 = 0.05;
 /// The bearing from which on a part of the sole holds wholly.
 const HOLDS: f64 = 0.6;
 /// Rounds in which a foot settles whose ankle can't bend far enough, and the angle at which it has, radians.
@@ -44,7 +46,7 @@ pub(super) struct FootState {
     /// The motion's heel and place of roll, and its yaw.
     flat: [DVec3; 2],
     yaw: f64,
-    pub landing: Landing,
+    landing: Landing,
     /// What the toes are bent beyond the motion's, degrees.
     pub toes: Fade<f64>,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
@@ -66,6 +68,8 @@ pub(super) struct Moment<'a> {
     pub reach: f64,
     pub dt_secs: f64,
     pub at_once: bool,
+    /// `world_from_figure` after so many seconds.
+    pub after: &'a dyn Fn(f64) -> Frame,
 }
 
 impl Moment<'_> {
@@ -95,6 +99,7 @@ pub(super) struct Target {
     pub plane: Plane,
     /// How firmly the ball holds.
     pub ball: f64,
+    pub coming: Option<Coming>,
 }
 
 impl Target {
@@ -148,15 +153,18 @@ impl FootState {
             *self = FootState { flat, yaw, landing: self.landing, ..FootState::default() };
         }
         let touch = || now.touch(foot);
-        self.landing.step(heel.max(ball), touch, now.dt_secs, now.at_once);
+        self.landing.step(heel.max(ball), self.plane, touch, now.dt_secs, now.at_once);
+        let coming = self.landing.coming(foot, ground, now.after);
         self.turn_about(foot, heel > ball);
         let part = usize::from(!self.on_heel);
-        self.slip(flat, yaw, part, heel.max(ball), now.dt_secs);
+        let shift = coming.map_or(DVec2::ZERO, |coming| coming.shift);
+        self.slip(flat, yaw, part, heel.max(ball), DVec3::new(shift.x, 0.0, shift.y), now.dt_secs);
         let at = level(flat[part]) + DVec2::new(self.slip.value.x, self.slip.value.z);
         let in_foot = if self.on_heel { foot.heel } else { foot.roll };
         let turned = DQuat::from_rotation_y(yaw + self.slip.value.y);
         let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
         let fitted = Plane::under(ground, at, &print);
+        let fitted = coming.map_or(fitted, |coming| coming.on_the_way(foot, ground, fitted));
         self.settle(fitted, if now.at_once { 0.0 } else { ball }, now.dt_secs);
         let plane = self.plane;
         let normal = plane.normal();
@@ -176,6 +184,7 @@ impl FootState {
             rolls: smooth(-up / length, 0.0, ROLLS),
             plane,
             ball,
+            coming,
         }
     }
 
@@ -192,12 +201,12 @@ impl FootState {
         }
     }
 
-    /// Takes the motion's own way off what is held, and lets the rest fade.
-    fn slip(&mut self, flat: [DVec3; 2], yaw: f64, part: usize, held: f64, dt_secs: f64) {
+    /// Takes the motion's own way off what is held, and lets the rest go to where the foot is to come down.
+    fn slip(&mut self, flat: [DVec3; 2], yaw: f64, part: usize, held: f64, goal: DVec3, dt_secs: f64) {
         let way = flat[part] - self.flat[part];
         let way = DVec3::new(way.x, wrapped(yaw - self.yaw), way.z);
         let still = self.slip.value - way;
-        self.slip = self.slip.toward(DVec3::ZERO, SLIP_FADES, dt_secs).held(still, held);
+        self.slip = self.slip.toward(goal, SLIP_FADES, dt_secs).held(still, held);
         (self.flat, self.yaw) = (flat, yaw);
     }
 
@@ -208,6 +217,11 @@ impl FootState {
             let gradient = plane.gradient - fitted.gradient;
             DVec3::new(gradient.x, plane.height - fitted.height, gradient.y)
         };
+        // What jumps from step to step isn't taken at once.
+        let jump = off(was) - self.lift.value;
+        if dt_secs > 0.0 && jump.y.abs() > JUMP_M {
+            self.lift.value += jump;
+        }
         self.lift = self.lift.toward(DVec3::ZERO, PLANE_FADES, dt_secs).held(off(was), held);
         let lift = self.lift.value;
         self.plane = Plane {

@@ -87,6 +87,11 @@ impl Foot {
         }
     }
 
+    /// How far the sole reaches behind the place of roll and before it, metres.
+    pub fn extent(&self) -> (f64, f64) {
+        (self.roll.z - self.heel.z, self.print[4].z - self.roll.z)
+    }
+
     /// `foot_from_toes`; without toes nothing is fixed in them.
     pub fn toes_in_foot(&self, leg: &Leg, sample: &Sample) -> Frame {
         self.toes

@@ -7,7 +7,6 @@ use super::PlacementSettings;
 use super::fade::{Fade, smooth};
 use super::foot::Target;
 use super::footing::Footing;
-use super::landing::Coming;
 use super::plane::Plane;
 use crate::{Bend, Sample};
 
@@ -62,7 +61,6 @@ impl Reach<'_> {
         flat_hips: Frame,
         around: f64,
         targets: &[Target; 2],
-        coming: &[Option<Coming>; 2],
         state: &mut Fade<f64>,
         dt_secs: f64,
         at_once: bool,
@@ -79,7 +77,7 @@ impl Reach<'_> {
             highest - hip.y - around
         });
         let ahead = [0, 1].map(|side| {
-            let Some(coming) = coming[side] else { return 0.0 };
+            let Some(coming) = targets[side].coming else { return 0.0 };
             let then = between(coming.hips, DVec2::ZERO, [coming.plane, targets[1 - side].plane]);
             (coming.highest - then.height) * BEFORE_LANDING * smooth(coming.progress, 0.0, 0.65)
         });

@@ -33,22 +33,11 @@ impl Plane {
 
     /// The plane on which a sole with those points stands, given about a place: least squares over the ground that
     /// carries it. Of ground with steps that is the highest: what lies lower than a step carries nothing.
-    pub fn under(ground: &Ground, at: DVec2, points: &[DVec2]) -> Plane {
-        // More than the points of any sole isn't asked for.
-        let mut samples = [(DVec2::ZERO, 0.0, DVec2::ZERO); 8];
-        let samples = &mut samples[..points.len().min(8)];
-        let mut highest = f64::NEG_INFINITY;
-        for (sample, point) in samples.iter_mut().zip(points) {
-            let found = ground.under(point.x, point.y);
-            let n = found.normal;
-            let gradient = -DVec2::new(n.x, n.z) / n.y.max(0.1);
-            *sample = (*point - at, found.height, gradient.clamp_length_max(STEEPEST));
-            highest = highest.max(found.height - sample.2.dot(sample.0));
-        }
+    pub fn under(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> Plane {
+        let (samples, highest) = samples(ground, at, points);
         let (mut square, mut right) = (DMat3::ZERO, DVec3::ZERO);
-        for (off, height, gradient) in samples.iter() {
-            let low = highest - (height - gradient.dot(*off));
-            let weight = 1.0 - smooth(low, STEP_DOWN_M.0, STEP_DOWN_M.1);
+        for Patch { off, height, gradient } in samples {
+            let weight = carries(highest - (height - gradient.dot(off)));
             let row = DVec3::new(1.0, off.x, off.y);
             square +=
                 DMat3::from_cols(row * (weight * row.x), row * (weight * row.y), row * (weight * row.z));
@@ -63,6 +52,40 @@ impl Plane {
         }
         Plane { at, height: fit.x, gradient: DVec2::new(fit.y, fit.z).clamp_length_max(STEEPEST) }
     }
+
+    /// The share of a sole's points that the ground would carry, 0 to 1; those at the ball, the third and the fourth,
+    /// count double.
+    pub fn carried(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> f64 {
+        let (samples, highest) = samples(ground, at, points);
+        let weights =
+            samples.map(|Patch { off, height, gradient }| carries(highest - (height - gradient.dot(off))));
+        (weights.iter().sum::<f64>() + weights[2] + weights[3]) / 7.0
+    }
+}
+
+/// The ground under one of a sole's points.
+#[derive(Clone, Copy)]
+struct Patch {
+    off: DVec2,
+    height: f64,
+    gradient: DVec2,
+}
+
+/// The ground under a sole's points, and the height to which the highest of it leads at the sole's place.
+fn samples(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> ([Patch; 5], f64) {
+    let samples = points.map(|point| {
+        let found = ground.under(point.x, point.y);
+        let n = found.normal;
+        let gradient = (-DVec2::new(n.x, n.z) / n.y.max(0.1)).clamp_length_max(STEEPEST);
+        Patch { off: point - at, height: found.height, gradient }
+    });
+    let highest = samples.iter().map(|s| s.height - s.gradient.dot(s.off)).fold(f64::NEG_INFINITY, f64::max);
+    (samples, highest)
+}
+
+/// How much ground so far below what the highest leads to carries.
+fn carries(low: f64) -> f64 {
+    1.0 - smooth(low, STEP_DOWN_M.0, STEP_DOWN_M.1)
 }
 
 #[cfg(test)]
@@ -70,10 +93,9 @@ mod tests {
     use super::*;
     use crate::{Slope, Stairs};
 
-    fn sole(at: DVec2) -> Vec<DVec2> {
+    fn sole(at: DVec2) -> [DVec2; 5] {
         [(-0.02, -0.08), (0.02, -0.08), (-0.03, 0.08), (0.04, 0.08), (0.0, 0.15)]
             .map(|(x, z)| at + DVec2::new(x, z))
-            .to_vec()
     }
 
     #[test]
