@@ -11,9 +11,11 @@ use super::plane::Plane;
 use crate::{Bend, Sample};
 
 /// How quickly the hips go down for a leg, and come up again, 1/s.
-const DROPS: f64 = 25.0;
+const DROPS: f64 = 30.0;
 const COMES_BACK: f64 = 6.0;
 
+/// How far before a leg is stretched the hips begin to go down on uneven ground, metres.
+const EASED_M: f64 = 0.04;
 /// By how much the heel of a foot that rolls off rises before the hips go down for it, radians.
 const MAY_RISE: f64 = 0.25;
 /// A foot reaches farthest a little before it lands: what its landing needs, times this, is enough for that, too.
@@ -81,9 +83,34 @@ impl Reach<'_> {
             let then = between(coming.hips, DVec2::ZERO, [coming.plane, targets[1 - side].plane]);
             (coming.highest - then.height) * BEFORE_LANDING * smooth(coming.progress, 0.0, 0.65)
         });
-        let need = needs.into_iter().chain(ahead).fold(0.0, f64::min);
+        let now = eased(needs[0].min(needs[1]), EASED_M * uneven(targets));
+        let before = state.value;
+        let need = now.min(ahead[0]).min(ahead[1]);
         let quickness = if need < state.value { DROPS } else { COMES_BACK };
         state.follow(need, quickness, dt_secs, at_once);
+        if state.value > now {
+            // What legs need at once can't wait.
+            let rate = if dt_secs > 0.0 { (now - before) / dt_secs } else { 0.0 };
+            *state = Fade { value: now, rate: rate.min(0.0) };
+        }
         state.value.min(0.0)
+    }
+}
+
+/// How uneven the ground under the feet is, 0 where it is level to 1.
+fn uneven(targets: &[Target; 2]) -> f64 {
+    let slope: f64 = targets.iter().map(|target| target.plane.gradient.length()).sum();
+    let step = (targets[0].plane.height - targets[1].plane.height).abs();
+    smooth(slope + 2.0 * step, 0.0, 0.3)
+}
+
+/// A need of less than nothing, or nothing; eased within so much of nothing.
+fn eased(need: f64, within: f64) -> f64 {
+    if need >= within {
+        0.0
+    } else if need > -within {
+        -(within - need).powi(2) / (4.0 * within)
+    } else {
+        need
     }
 }
