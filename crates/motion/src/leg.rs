@@ -214,6 +214,26 @@ impl Leg {
         if eased == distance || !distance.is_finite() { target } else { target * (eased / distance) }
     }
 
+    /// The bones of hip, knee and ankle.
+    pub fn bones(&self) -> [Bone; 3] {
+        let parts = self.rig.limb.parts();
+        [parts.root, parts.hinge, parts.end]
+    }
+
+    /// The turns of hip, knee and ankle, each in its carrier.
+    pub fn turns(&self, angles: &[Angles; Bone::COUNT]) -> [DQuat; 3] {
+        let [hip, knee, foot] = self.bones().map(|bone| angles[bone.index()]);
+        [self.hip_turn(hip), self.knee.rotation(knee), self.foot.rotation(foot)]
+    }
+
+    /// Turns the foot as far as the ankle goes toward a rotation in figure space, and says how far it then is off it.
+    pub fn hold_foot(&self, figure_from_hips: Frame, rotation: DQuat, angles: &mut [Angles; Bone::COUNT]) -> LegMiss {
+        let parts = self.rig.limb.parts();
+        let [hip, knee, _] = self.turns(angles);
+        let shank = figure_from_hips.rotation * hip * knee;
+        self.turn_foot(shank.conjugate() * rotation, &mut angles[parts.end.index()], LegMiss::default())
+    }
+
     /// Turns the foot as far as the ankle goes toward a rotation seen from the shank.
     fn turn_foot(&self, shank_from_foot: DQuat, foot: &mut Angles, mut miss: LegMiss) -> LegMiss {
         let Some(wanted) = hinge_angles(&self.foot.articulation, shank_from_foot, *foot) else {

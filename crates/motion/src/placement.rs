@@ -9,6 +9,7 @@
 mod fade;
 mod foot;
 mod footing;
+mod haste;
 mod hips;
 mod lift;
 mod landing;
@@ -39,11 +40,13 @@ pub struct PlacementSettings {
     pub softness: f64,
     /// How much of a slope the spine leans against, 0 to 1.
     pub lean: f64,
+    /// How many times as fast as in the motion the joints of a leg may turn, at least 1.
+    pub haste: f64,
 }
 
 impl Default for PlacementSettings {
     fn default() -> PlacementSettings {
-        PlacementSettings { on: true, softness: 0.012, lean: 0.2 }
+        PlacementSettings { on: true, softness: 0.012, lean: 0.2, haste: 1.45 }
     }
 }
 
@@ -147,8 +150,8 @@ pub fn place_feet(
         let placed_hips = footing.hips(sample);
         for side in 0..2 {
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            let rise = &mut state.feet[side].rise;
-            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], rise, dt_secs, sample);
+            let foot = &mut state.feet[side];
+            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], foot, dt_secs, sample);
             let bent = &mut state.feet[side].toes;
             toes::bend(
                 footing,

@@ -7,6 +7,7 @@ use rig::{Dof, Frame};
 use super::PlacementSettings;
 use super::fade::{Fade, smooth};
 use super::footing::{Foot, Footing};
+use super::haste::Haste;
 use super::landing::{Coming, Landing, Touch};
 use super::plane::Plane;
 use crate::{Bearing, Bend, FootGoal, Ground, Sample};
@@ -25,7 +26,7 @@ const NEAR: f64 = 1e-3;
 /// What is kept in reserve of the ankle's range, radians.
 const RESERVE: f64 = 0.03;
 /// How quickly a heel that has to rise does so, and how quickly it comes down again, 1/s.
-const RISES: f64 = 40.0;
+const RISES: f64 = 55.0;
 const FALLS: f64 = 12.0;
 /// The most by which a heel rises, and by which it does so to help a leg reach, radians.
 const MOST_RISE: f64 = 0.7;
@@ -50,7 +51,8 @@ pub(super) struct FootState {
     /// What the toes are bent beyond the motion's, degrees.
     pub toes: Fade<f64>,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
-    pub rise: Fade<f64>,
+    rise: Fade<f64>,
+    haste: Haste,
     /// Where the foot was to be.
     placed: Frame,
     on_heel: bool,
@@ -254,16 +256,18 @@ impl Grip<'_> {
         hips: Frame,
         target: &Target,
         bend: &Bend,
-        rise: &mut Fade<f64>,
+        state: &mut FootState,
         dt_secs: f64,
         sample: &mut Sample,
     ) -> bool {
         let needed = self.needed_rise(hips, target, bend, sample);
-        let quickness = if needed > rise.value { RISES } else { FALLS };
-        rise.follow(needed, quickness, dt_secs, dt_secs == 0.0);
-        rise.value = rise.value.max(0.0);
-        self.solve(hips, target, rise.value, bend, sample);
+        let quickness = if needed > state.rise.value { RISES } else { FALLS };
+        state.rise.follow(needed, quickness, dt_secs, dt_secs == 0.0);
+        state.rise.value = state.rise.value.max(0.0);
         let leg = &self.footing.legs.sides[self.side];
+        state.haste.see(leg, &sample.angles, dt_secs);
+        self.solve(hips, target, state.rise.value, bend, sample);
+        state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
         let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
         let foot = &self.footing.feet[self.side];
         [foot.heel, foot.ball].iter().all(|p| held.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)

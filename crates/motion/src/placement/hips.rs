@@ -15,7 +15,7 @@ const DROPS: f64 = 30.0;
 const COMES_BACK: f64 = 6.0;
 
 /// How far before a leg is stretched the hips begin to go down on uneven ground, metres.
-const EASED_M: f64 = 0.04;
+const EASED_M: f64 = 0.05;
 /// By how much the heel of a foot that rolls off rises before the hips go down for it, radians.
 const MAY_RISE: f64 = 0.25;
 /// A foot reaches farthest a little before it lands: what its landing needs, times this, is enough for that, too.

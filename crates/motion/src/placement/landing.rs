@@ -16,6 +16,9 @@ const SETTLED: f64 = 0.1;
 /// How far from where the motion has it a foot may come down, in steps.
 const SHIFTS: u32 = 8;
 const SHIFT_STEP_M: f64 = 0.02;
+/// How much earlier a foot is lifted on a slope of 45 degrees, metres, and in which part of its swing.
+const EARLY_M: f64 = 0.25;
+const EARLY: (f64, f64) = (0.05, 0.9);
 /// Pieces of a foot's way in which the ground under it is looked at.
 const KNOTS: usize = 16;
 
@@ -130,9 +133,17 @@ impl Coming {
         let near = smooth(self.progress, 0.8, 1.0);
         let gradient = gradient.lerp(fitted.gradient, near);
         if !ground.has_steps() {
-            return Plane { gradient, ..fitted };
+            return Plane { gradient, height: fitted.height + self.early(), at: fitted.at };
         }
         Plane { gradient, height: self.string(foot, ground, fitted.at), at: fitted.at }
+    }
+
+    /// Uphill the foot is lifted early, or the thigh would have to come up fast in the second half of the swing, metres.
+    fn early(&self) -> f64 {
+        let length = self.plane.at.distance(self.from.at).max(0.3);
+        let rise = ((self.plane.height - self.from.height) / length).clamp(0.0, 0.6);
+        let part = ((self.progress - EARLY.0) / (EARLY.1 - EARLY.0)).clamp(0.0, 1.0);
+        EARLY_M * rise * (part * std::f64::consts::PI).sin().powi(2)
     }
 
     fn string(&self, foot: &Foot, ground: &Ground, at: DVec2) -> f64 {
