@@ -46,7 +46,7 @@ pub struct PlacementSettings {
 
 impl Default for PlacementSettings {
     fn default() -> PlacementSettings {
-        PlacementSettings { on: true, softness: 0.012, lean: 0.2, haste: 1.45 }
+        PlacementSettings { on: true, softness: 0.012, lean: 0.2, haste: 1.42 }
     }
 }
 

@@ -5,24 +5,25 @@ use rig::{Angles, Bone, Frame};
 
 use crate::Leg;
 
-/// What a motion that was seen for a moment only is taken to turn hip, knee and ankle by at most, radians a second.
-const AT_LEAST: [f64; 3] = [4.4, 7.6, 5.6];
+/// What a motion that was seen for a moment only is taken to turn hip, knee, ankle and the shank against the hips by at
+/// most, radians a second.
+const AT_LEAST: [f64; 4] = [4.0, 6.5, 4.5, 4.8];
 /// How long a motion's fastest turn counts, seconds: a third is left of it then.
 const REMEMBERED_SECS: f64 = 6.0;
 
 /// What a leg remembers of its turns: hip, knee and ankle.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Haste {
-    flat: [DQuat; 3],
+    flat: [DQuat; 4],
     placed: [Angles; 3],
-    /// Of the motion, radians a second.
-    fastest: [f64; 3],
+    /// Of the motion, radians a second; the shank is the last.
+    fastest: [f64; 4],
 }
 
 impl Haste {
     /// Takes in the motion's own joints.
     pub fn see(&mut self, leg: &Leg, flat: &[Angles; Bone::COUNT], dt_secs: f64) {
-        let now = leg.turns(flat);
+        let now = turns(leg, flat);
         if dt_secs > 0.0 {
             let left = (-dt_secs / REMEMBERED_SECS).exp();
             for ((fastest, now), before) in self.fastest.iter_mut().zip(now).zip(self.flat) {
@@ -44,30 +45,45 @@ impl Haste {
     ) {
         if dt_secs > 0.0 {
             let rotation = leg.ankle_and_foot(hips, angles).rotation;
-            let held = [0, 1].map(|joint| self.held(leg, joint, times * dt_secs, angles));
-            if held[0] || held[1] {
+            let held = [(0, &[0][..]), (1, &[1]), (3, &[0, 1])]
+                .map(|(turn, joints)| self.held(leg, turn, joints, times * dt_secs, angles));
+            if held.contains(&true) {
                 leg.hold_foot(hips, rotation, angles);
             }
-            self.held(leg, 2, times * dt_secs, angles);
+            self.held(leg, 2, &[2], times * dt_secs, angles);
         }
         self.placed = leg.bones().map(|bone| angles[bone.index()]);
     }
 
-    /// Holds one joint, and says whether it had to.
-    fn held(&self, leg: &Leg, joint: usize, secs: f64, angles: &mut [Angles; Bone::COUNT]) -> bool {
+    /// Holds one turn by the joints that make it, and says whether it had to.
+    fn held(
+        &self,
+        leg: &Leg,
+        turn: usize,
+        joints: &[usize],
+        secs: f64,
+        angles: &mut [Angles; Bone::COUNT],
+    ) -> bool {
         let bones = leg.bones();
         let mut before = *angles;
         for (bone, placed) in bones.iter().zip(self.placed) {
             before[bone.index()] = placed;
         }
-        let turned = between(leg.turns(&before)[joint], leg.turns(angles)[joint]);
-        let most = self.fastest[joint].max(AT_LEAST[joint]) * secs;
-        let bone = bones[joint].index();
+        let turned = between(turns(leg, &before)[turn], turns(leg, angles)[turn]);
+        let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
         if turned > most {
-            angles[bone] = mixed(before[bone], angles[bone], most / turned);
+            for bone in joints.iter().map(|joint| bones[*joint].index()) {
+                angles[bone] = mixed(before[bone], angles[bone], most / turned);
+            }
         }
         turned > most
     }
+}
+
+/// The turns of hip, knee and ankle in their carriers, and of the shank against the hips.
+fn turns(leg: &Leg, angles: &[Angles; Bone::COUNT]) -> [DQuat; 4] {
+    let [hip, knee, foot] = leg.turns(angles);
+    [hip, knee, foot, hip * knee]
 }
 
 /// The angle of the turn between two rotations, radians.
