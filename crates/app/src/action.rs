@@ -15,14 +15,24 @@ pub enum Group {
     View,
     /// What the window shows.
     Window,
+    /// Keys that count only while the figure walks.
+    Walk,
     /// Keys that count only while the pointer drags the figure.
     Drag,
 }
 
 impl Group {
     /// All, in the order of the sheet.
-    pub const ALL: [Group; 7] =
-        [Group::File, Group::Edit, Group::Selection, Group::Pose, Group::View, Group::Window, Group::Drag];
+    pub const ALL: [Group; 8] = [
+        Group::File,
+        Group::Edit,
+        Group::Selection,
+        Group::Pose,
+        Group::View,
+        Group::Window,
+        Group::Walk,
+        Group::Drag,
+    ];
 
     /// The heading.
     pub const fn words(self) -> &'static str {
@@ -33,6 +43,7 @@ impl Group {
             Group::Pose => "Pose",
             Group::View => "View",
             Group::Window => "Window",
+            Group::Walk => "While walking",
             Group::Drag => "While dragging",
         }
     }
@@ -111,6 +122,7 @@ actions! {
         Symmetry: "Symmetry", "What one side does, the other does as well.", ["Shift+M"];
         Mirror: "Mirror", "The mirror image of the chosen parts; nothing chosen: the whole pose.", ["Ctrl+M"];
         Reset: "Reset", "The chosen parts back to rest; nothing chosen: the whole figure.", ["Ctrl+Alt+R"];
+        StandOnGround: "Stand on the ground", "Brings the feet to the ground, the hips as little lower as that needs.", ["G"];
         Balance: "Balance", "Shifts the hips so that the centre of mass is over the feet.", ["B"];
         Ranges: "Ranges", "Whether joints stop at the ranges of a human body.", ["Shift+L"];
     }
@@ -144,6 +156,7 @@ actions! {
         SetPictureCamera: "Set the picture camera", "The picture camera takes the present view.", ["Ctrl+Alt+0"];
     }
     Window {
+        Walk: "Walk", "The figure walks over a ground, steered by keys; its pose stays as it is.", ["F5"];
         SecondView: "Second view", "A small second view from the side.", ["V"];
         Marks: "Marks", "Joints, articulators and targets over the figure.", ["M"];
         Library: "Library", "The library of poses at the right.", ["N"];
@@ -154,6 +167,24 @@ actions! {
         ResetUi: "Controls at 100 %", "Text and controls at their own size.", ["Ctrl+0"];
         Controls: "Keyboard to the controls", "Puts the keyboard on the first control; Tab then goes on, Esc comes back.", ["F6"];
         Help: "All gestures and keys", "What every key and gesture does.", ["F1", "?"];
+    }
+    Walk {
+        SteerAhead: "Ahead", "Walks ahead as long as the key is down.", ["W", "Up"];
+        SteerBack: "Backward", "Walks backward as long as the key is down.", ["S", "Down"];
+        SteerLeft: "Steer left", "Turns to the figure's left as long as the key is down.", ["A", "Left"];
+        SteerRight: "Steer right", "Turns to the figure's right as long as the key is down.", ["D", "Right"];
+        StrafeLeft: "Strafe left", "Steps to the figure's left as long as the key is down.", ["Q", "Shift+Left"];
+        StrafeRight: "Strafe right", "Steps to the figure's right as long as the key is down.", ["E", "Shift+Right"];
+        WalkAlone: "By itself", "Walks ahead at the chosen speed while no key steers.", ["H"];
+        WalkSit: "Sit down", "Sits down, or stands up again.", ["C"];
+        WalkPlay: "Play", "Lets time run, or halts it.", ["Space"];
+        WalkStep: "Single step", "Halts, and goes on by a single step of time.", ["Shift+Space"];
+        WalkSlower: "Slow motion", "Time at a half, a quarter, a tenth, and again at its own pace.", ["Comma"];
+        WalkRestart: "From the start", "Begins anew where the walk began.", ["R"];
+        WalkPlacement: "Foot placement", "Whether feet are placed on the ground, or walk as on flat ground.", ["O"];
+        WalkBeside: "Side by side", "The same walk twice: without foot placement at the left, with it at the right.", ["Shift+O"];
+        WalkFollow: "Camera follows", "Whether the view goes along with the figure.", ["Shift+F"];
+        TakePose: "Take this pose", "The walking figure's pose becomes the pose, as one step.", ["Enter"];
     }
     Drag {
         AlongX: "Along X", "Only along the world's X; again: freely.", ["X"];

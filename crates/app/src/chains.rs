@@ -12,7 +12,7 @@ mod guides;
 mod joints;
 mod keys;
 mod marks;
-mod panel;
+pub mod panel;
 mod picture;
 mod pointer;
 mod reaching;
@@ -227,6 +227,7 @@ impl ChainSession {
             match wish {
                 Wish::Do(action) => self.act(ui.ctx(), action),
                 Wish::Open(path) => self.open_asking(path.into()),
+                Wish::Time(_) => {}
             }
         }
         status::show(ui, self);

@@ -28,6 +28,10 @@ pub enum Paper {
     Pose,
     /// Chains and robots.
     Chain,
+    /// Ground that a figure walks on; only ever opened.
+    Ground,
+    /// What blends a walk; only ever opened.
+    Tree,
 }
 
 impl Paper {
@@ -36,6 +40,8 @@ impl Paper {
         match self {
             Paper::Pose => "pose",
             Paper::Chain => "chain",
+            Paper::Ground => "ground",
+            Paper::Tree => "blend tree",
         }
     }
 
@@ -44,6 +50,8 @@ impl Paper {
         match self {
             Paper::Pose => ".pose.ron",
             Paper::Chain => ".chain.ron",
+            Paper::Ground => ".obj",
+            Paper::Tree => ".blend.ron",
         }
     }
 
@@ -52,6 +60,8 @@ impl Paper {
         match self {
             Paper::Pose => &[".pose.ron"],
             Paper::Chain => &[".chain.ron", ".urdf"],
+            Paper::Ground => &[".obj", ".stl", ".dae", ".glb"],
+            Paper::Tree => &[".blend.ron"],
         }
     }
 }
@@ -131,6 +141,8 @@ pub enum Answer {
 #[derive(Default)]
 pub struct Dialogs {
     paper: Paper,
+    /// What is asked for while a file is to be opened.
+    opens: Paper,
     now: Option<Dialog>,
     path: String,
     /// What a picture's name gets if it has no ending.
@@ -152,7 +164,7 @@ const FIGURE_SUFFIX: &str = ".figure.ron";
 impl Dialogs {
     /// Those of a window on such work.
     pub fn of(paper: Paper) -> Dialogs {
-        Dialogs { paper, ..Dialogs::default() }
+        Dialogs { paper, opens: paper, ..Dialogs::default() }
     }
 
     /// Whether a dialog is up.
@@ -170,6 +182,12 @@ impl Dialogs {
 
     /// Asks which file to open, beginning in the folder of the present one.
     pub fn open(&mut self, present: Option<&Path>) {
+        self.open_other(self.paper, present);
+    }
+
+    /// Asks which file of another kind to open, beginning in the folder of the present one.
+    pub fn open_other(&mut self, paper: Paper, present: Option<&Path>) {
+        self.opens = paper;
         let folder = present.and_then(Path::parent).filter(|p| !p.as_os_str().is_empty());
         self.path = folder.map_or_else(String::new, |p| format!("{}/", p.display()));
         self.ask(Dialog::OpenPath);

@@ -5,6 +5,7 @@ mod body;
 mod body_map;
 mod figure;
 mod glyph;
+mod ground;
 mod hand;
 mod head;
 mod joints;
@@ -13,7 +14,7 @@ mod lock;
 mod overview;
 mod percent;
 mod point;
-mod row;
+pub mod row;
 mod section;
 mod torso;
 mod tree;
@@ -24,6 +25,7 @@ use rig::{Bone, Contact, Limb, Part, Side, Skeleton, Space};
 
 use crate::rail::Change;
 use crate::viewport::{Guide, Guides};
+pub use ground::GroundRow;
 pub use overview::Overview;
 pub use section::Section;
 use tree::Tree;
@@ -58,6 +60,8 @@ pub struct Panels {
     body_fault: Option<String>,
     /// Whether the figure is to be saved with its body.
     save_figure: bool,
+    /// Which ground is chosen, whether it shows under the figure, and what was asked of it.
+    ground: GroundRow,
 }
 
 impl Default for Panels {
@@ -82,6 +86,7 @@ impl Default for Panels {
             body_open: false,
             body_fault: None,
             save_figure: false,
+            ground: GroundRow::default(),
         }
     }
 }
@@ -130,6 +135,11 @@ impl Panels {
     /// Tells why the body can't be changed.
     pub fn refuse_clay(&mut self, why: String) {
         self.body_fault = Some(why);
+    }
+
+    /// The row about the ground.
+    pub fn ground_mut(&mut self) -> &mut GroundRow {
+        &mut self.ground
     }
 
     /// Whether the button was clicked that saves the figure; once.

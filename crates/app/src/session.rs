@@ -9,6 +9,7 @@ mod files;
 mod keys;
 mod recovery;
 mod saving;
+mod walking;
 
 use std::path::{Path, PathBuf};
 
@@ -26,6 +27,7 @@ use crate::saving::Saving;
 use crate::settings::{Keeper, Settings};
 use crate::toolbar::Wish;
 use crate::viewport::Viewport;
+use crate::walk::Walk;
 use crate::{status_line, theme, toolbar};
 pub use act::style_of;
 pub use body::MANNEQUIN;
@@ -79,6 +81,8 @@ pub struct Session {
     source: body::Source,
     /// A file that is to be opened in another kind of window.
     elsewhere: Option<PathBuf>,
+    /// The figure's walk.
+    walk: Walk,
 }
 
 impl Session {
@@ -106,6 +110,7 @@ impl Session {
             saving: None,
             source: body::Source::default(),
             elsewhere: None,
+            walk: Walk::default(),
         }
     }
 
@@ -212,15 +217,14 @@ impl Session {
             match wish {
                 Wish::Do(action) => self.act(ui.ctx(), action),
                 Wish::Open(path) => self.open_asking(path.into()),
+                Wish::Time(motion) => self.walk.clock.motion = motion,
             }
         }
         status_line::show(ui, self);
-        if self.settings.panel {
-            self.panel(ui);
+        match self.walk.is_open() {
+            true => self.show_walk(ui),
+            false => self.show_pose(ui),
         }
-        self.show_library(ui);
-        self.picture(ui);
-        self.end_gesture(ui);
         self.dialogs(ui);
         self.show_saving(ui);
         self.settings.marks = self.viewport.marks;
@@ -228,6 +232,15 @@ impl Session {
         self.settings.navigation = self.viewport.preset;
         self.keep();
         self.keep_settings(ui);
+    }
+
+    fn show_pose(&mut self, ui: &mut Ui) {
+        if self.settings.panel {
+            self.panel(ui);
+        }
+        self.show_library(ui);
+        self.picture(ui);
+        self.end_gesture(ui);
     }
 
     fn panel(&mut self, ui: &mut Ui) {
@@ -240,8 +253,10 @@ impl Session {
         if !self.editor.in_gesture() {
             self.panels.touch(self.viewport.nearest_spaces(&self.editor));
         }
+        self.tell_of_ground();
         let requests = panel.frame(frame).show(ui, |ui| self.panels.show(ui, &self.editor)).inner;
         self.submit_all(requests);
+        self.take_ground_row();
         self.take_clay();
         self.save_figure_if_asked();
     }
@@ -264,6 +279,7 @@ impl Session {
         self.viewport.picture_size = self.settings.picture.size;
         self.viewport.guides = self.panels.guides();
         self.viewport.balance = self.panels.balance_marks();
+        self.lay_ground(ui);
         let hovered = self.viewport.hovered();
         let asked = egui::CentralPanel::no_frame()
             .show(ui, |ui| self.viewport.show(ui, &self.editor, self.panels.selection(), self.software))
@@ -277,6 +293,7 @@ impl Session {
             ui.ctx().request_repaint();
         }
         self.submit_all(asked.requests);
+        self.keep_standing();
     }
 
     /// A gesture ends where the pointer lets go, and is undone by Escape, whatever was under the pointer.

@@ -8,6 +8,7 @@ use crate::action::Action;
 use crate::keymap::Keymap;
 use crate::session::Session;
 use crate::theme;
+use crate::walk::{self, Motion};
 pub use menu::{CHAIN, Menu};
 
 /// What a bar asks for.
@@ -17,6 +18,8 @@ pub enum Wish {
     Do(Action),
     /// A file that comes with the program.
     Open(&'static str),
+    /// How fast time runs while the figure walks.
+    Time(Motion),
 }
 
 /// What a bar acts on: a window's session.
@@ -45,6 +48,11 @@ pub trait Acting {
 pub fn show(ui: &mut Ui, session: &Session) -> Vec<Wish> {
     let switches = [Action::Ranges, Action::Symmetry, Action::Marks, Action::Library];
     bar(ui, session, menu::FIGURE, |ui, asked| {
+        walk::bar::switch(ui, session.is_walking(), session.keymap(), asked);
+        gap(ui);
+        if session.is_walking() {
+            return walk::bar::time(ui, session.walk(), session.keymap(), asked);
+        }
         for action in switches {
             switch(ui, session, action, asked);
             ui.add_space(6.0);

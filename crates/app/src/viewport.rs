@@ -34,6 +34,7 @@ pub use picture::{Body, Part, Picture, drawn, install};
 
 use crate::finish::Finish;
 use crate::keymap::Keymap;
+use crate::picture::Underfoot;
 
 /// How the figure is looked at, and the gesture in the picture.
 #[derive(Clone, Debug)]
@@ -64,6 +65,8 @@ pub struct Viewport {
     pub guides: Guides,
     /// What each limb touches, and at which revision.
     touching: Option<(u64, [Space; Limb::ALL.len()])>,
+    /// The ground under the figure, if it isn't the plane at height 0.
+    pub ground: Option<Underfoot>,
     /// Whether the centre of mass over the soles is shown.
     pub balance: bool,
     /// What the pointer does to the figure.
@@ -115,6 +118,7 @@ impl Default for Viewport {
             backdrop: Backdrop::default(),
             guides: Guides::default(),
             touching: None,
+            ground: None,
             balance: false,
             hands: Hands::default(),
             navigator: Navigator::default(),
@@ -303,7 +307,8 @@ impl Viewport {
         let lit = picture::Lit { selected: selection.bones(), hovered: lit };
         let look = quality.of(self.look(ui));
         let picture = Picture::new(editor, self.camera, self.rect, scale, overlay, lit, look)
-            .before(self.backdrop.shown());
+            .before(self.backdrop.shown())
+            .upon(self.ground.as_ref());
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(self.rect, picture));
         write_words(ui.painter(), self.rect, &sight, &words);
     }

@@ -31,6 +31,13 @@ pub enum Request {
     Redo,
     /// Replaces the pose, as one step of history. Locked joints take the new angles and keep those.
     Open(Box<Pose>),
+    /// Shows another pose within the gesture under way, or begins one of that name: what solves the whole pose at once.
+    PreviewPose {
+        /// The pose.
+        pose: Box<Pose>,
+        /// What the step is called, unless a gesture is under way.
+        name: &'static str,
+    },
     /// Applies what the text of a pose file names, or its mirror image, as one step of history.
     Paste {
         /// The text; that of any pose file will do.
@@ -175,6 +182,11 @@ impl Editor {
                 Ok(self.back(back))
             }
             Request::Open(pose) => Ok(self.open(*pose)),
+            Request::PreviewPose { pose, name } => {
+                self.history.begin(&self.document, name);
+                self.show(Document { pose: *pose, ..self.document.clone() });
+                Ok(Outcome::default())
+            }
             Request::Paste { text, mirrored } => {
                 let applied = paste(&self.figure, &self.document, &text, mirrored)?;
                 Ok(self.step_to(applied, "Paste"))

@@ -20,7 +20,8 @@ pub fn knows(action: Action) -> bool {
         Group::Selection => matches!(action, Parent | Child | NextJoint | PreviousJoint),
         Group::Pose => matches!(action, ClearRotation | Reset | Ranges),
         Group::View => !matches!(action, LookThroughPictureCamera | SetPictureCamera | JointPlanes),
-        Group::Window => !matches!(action, SecondView | Library | Marks),
+        Group::Window => !matches!(action, SecondView | Library | Marks | Walk),
+        Group::Walk => false,
         Group::Drag => action != TurnInContact,
     }
 }
@@ -113,7 +114,7 @@ impl ChainSession {
             Group::View => self.look(action),
             Group::Window => self.window(ctx, action),
             // The picture reads these itself.
-            Group::Drag => {}
+            Group::Drag | Group::Walk => {}
         }
     }
 

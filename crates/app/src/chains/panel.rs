@@ -121,7 +121,7 @@ impl ChainPanel {
 }
 
 /// The head of a part of the panel, with a note behind its title; where it is.
-fn heading(ui: &mut Ui, title: &str, note: &str) -> Rect {
+pub fn heading(ui: &mut Ui, title: &str, note: &str) -> Rect {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), 26.0));
     let (painter, palette) = (ui.painter(), theme::of(ui));
     painter.rect_filled(rect, 3.0, palette.header);
@@ -151,7 +151,8 @@ fn reset(ui: &mut Ui, heading: Rect) -> bool {
     shown.inner.on_hover_text(tip).clicked()
 }
 
-fn inset(ui: &mut Ui, show: impl FnOnce(&mut Ui)) {
+/// What stands below a heading, with some room around it.
+pub fn inset(ui: &mut Ui, show: impl FnOnce(&mut Ui)) {
     let margin = egui::Margin { left: 8, right: 6, top: 4, bottom: 8 };
     egui::Frame::new().inner_margin(margin).show(ui, show);
 }

@@ -18,7 +18,7 @@ impl Dialogs {
         settings: &mut Settings,
     ) -> (Option<Answer>, bool) {
         let (title, verb, what) = match dialog {
-            Dialog::OpenPath => ("Open a", "Open", self.paper.noun()),
+            Dialog::OpenPath => ("Open a", "Open", self.opens.noun()),
             Dialog::PicturePath => ("Save the", "Save", "picture"),
             Dialog::FigurePath => ("Save the", "Save", "figure"),
             _ => ("Save the", "Save", self.paper.noun()),
@@ -62,7 +62,8 @@ impl Dialogs {
             });
         });
         if clicked[2] {
-            self.chooser = Some(browse(ui.ctx(), dialog, &self.path, self.paper));
+            let paper = if *dialog == Dialog::OpenPath { self.opens } else { self.paper };
+            self.chooser = Some(browse(ui.ctx(), dialog, &self.path, paper));
         }
         let answer = (entered || clicked[0]).then(|| self.answer(dialog)).flatten();
         (answer, clicked[1])
@@ -78,7 +79,7 @@ impl Dialogs {
 
     /// Lists the folder's poses or chains; whether one was taken.
     fn list(&mut self, ui: &mut Ui) -> bool {
-        self.listing.follow(&self.path, self.paper.opens());
+        self.listing.follow(&self.path, self.opens.opens());
         match self.listing.show(ui) {
             Some(Pick::Chosen(name)) => {
                 self.path = self.listing.path(&name);
@@ -168,6 +169,8 @@ fn browse(ctx: &Context, dialog: &Dialog, path: &str, paper: Paper) -> Receiver<
         _ => match paper {
             Paper::Pose => rfd::FileDialog::new().add_filter("Poses", &["ron"]),
             Paper::Chain => rfd::FileDialog::new().add_filter("Chains and robots", &["ron", "urdf"]),
+            Paper::Ground => rfd::FileDialog::new().add_filter("Meshes", &["obj", "stl", "dae", "glb"]),
+            Paper::Tree => rfd::FileDialog::new().add_filter("Blend trees", &["ron"]),
         },
     };
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {

@@ -119,13 +119,13 @@ impl Dialogs {
 
 fn blocks(paper: Paper, keymap: &Keymap, sought: &str) -> Vec<Block> {
     let (gestures, dragging) = match paper {
-        Paper::Pose => (&GESTURES[..], &DRAGGING[..]),
         // Numbers are not typed into a drag of a chain.
         Paper::Chain => (&CHAIN_GESTURES[..], &[DRAGGING[0], DRAGGING[1], DRAGGING[4]][..]),
+        _ => (&GESTURES[..], &DRAGGING[..]),
     };
     let words = |action: &Action| match paper {
-        Paper::Pose => action.words(),
         Paper::Chain => crate::chains::words(*action),
+        _ => action.words(),
     };
     let known = |action: &Action| paper == Paper::Pose || crate::chains::knows(*action);
     let gestures = gestures.iter().map(|(title, rows)| Block {

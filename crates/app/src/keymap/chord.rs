@@ -43,9 +43,9 @@ impl Chord {
         }
     }
 
-    /// As people read it: `Ctrl + [` without spaces, arrows as arrows.
+    /// As people read it: `Ctrl + [` without spaces; keys whose sign the window's font lacks by their names.
     pub fn shown(self) -> String {
-        format!("{}{}", self.held(), self.key.symbol_or_name())
+        self.to_string()
     }
 
     fn held(self) -> String {

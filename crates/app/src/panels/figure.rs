@@ -25,6 +25,7 @@ impl Sheet<'_> {
         let moved = self.point(ui, "Hips", "Hips", tip, hips);
         self.ask_moved(moved, |moved| Command::MoveHips { by: moved.shift() });
         self.balance(ui);
+        self.ground(ui);
         self.mechanics(ui);
         self.body(ui);
     }

@@ -20,8 +20,13 @@ impl Session {
             Group::Edit => self.step(ctx, action),
             Group::Selection => self.choose(action),
             Group::Pose => self.pose(action),
+            Group::View if self.is_walking() => {
+                self.look(action);
+                self.look_at_walk(action);
+            }
             Group::View => self.look(action),
             Group::Window => self.window(ctx, action),
+            Group::Walk => self.act_on_walk(action),
             // The picture reads these itself.
             Group::Drag => {}
         }
@@ -70,6 +75,7 @@ impl Session {
         match action {
             Action::Mirror => self.submit(Request::Do(Command::Mirror { parts })),
             Action::Reset => self.submit(Request::Do(Command::Reset { parts })),
+            Action::StandOnGround => self.stand_on_ground(),
             Action::Balance => self.submit(Request::Do(Command::Balance { amount: 1.0 })),
             Action::Ranges => {
                 let on = !self.editor.document().ranges;
@@ -198,6 +204,7 @@ impl Session {
             Action::ResetUi => settings.ui_scale = 1.0,
             Action::Controls => ctx.memory_mut(|m| m.move_focus(egui::FocusDirection::Next)),
             Action::Help => self.dialogs.ask(Dialog::Help),
+            Action::Walk => self.toggle_walk(),
             _ => {}
         }
     }
@@ -216,6 +223,13 @@ impl Acting for Session {
             Action::Library => Some(self.settings.library),
             Action::Symmetry => Some(self.document().symmetry),
             Action::SecondView => Some(self.viewport.side_view),
+            Action::Walk => Some(self.is_walking()),
+            Action::WalkAlone => Some(self.walk.steer.alone),
+            Action::WalkSit => Some(self.walk.steer.sit),
+            Action::WalkPlay => Some(self.walk.clock.playing),
+            Action::WalkPlacement => Some(self.walk.is_placed()),
+            Action::WalkBeside => Some(self.walk.beside),
+            Action::WalkFollow => Some(self.walk.picture.follows),
             Action::LookThroughPictureCamera => Some(self.viewport.looks_through_picture_camera()),
             Action::JointPlanes => Some(self.settings.finish.joint_planes),
             Action::AmbientOcclusion => Some(self.settings.finish.ambient_occlusion),
@@ -233,7 +247,10 @@ impl Acting for Session {
 
     fn can(&self, action: Action) -> bool {
         let chosen = !self.panels.selection().is_empty();
+        let posing = matches!(action.group(), Group::Selection | Group::Pose);
         match action {
+            _ if posing && self.is_walking() => false,
+            _ if action.group() == Group::Walk => self.is_walking(),
             Action::Undo => self.editor.undo_name().is_some(),
             Action::Redo => self.editor.redo_name().is_some(),
             Action::Parent | Action::Child | Action::SelectNone | Action::Lock | Action::ClearRotation => {

@@ -52,6 +52,9 @@ impl Session {
 
     /// Opens a dropped or named file, after asking about unsaved changes.
     pub fn open_asking(&mut self, path: PathBuf) {
+        if self.walks_on(&path) {
+            return;
+        }
         self.intend(Intent::Open(Some(path)));
     }
 
@@ -134,6 +137,7 @@ impl Session {
     /// Does what a dialog came to.
     pub(super) fn answered(&mut self, ui: &Ui, answer: Answer) {
         match answer {
+            Answer::Open(path) if self.walks_on(&path) => {}
             Answer::Open(path) => self.proceed(Intent::Open(Some(path))),
             Answer::Write(writing) if self.would_replace(&writing) => {
                 self.dialogs.ask(Dialog::Replace(writing));

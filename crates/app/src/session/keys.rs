@@ -33,12 +33,29 @@ impl Session {
             return Some(Action::PasteMirrored);
         }
         let action = self.keymap.action(pressed.chord, false)?;
+        if self.is_walking() {
+            return self.asked_of_walk(ui, pressed, action);
+        }
+        if action.group() == Group::Walk {
+            return None;
+        }
         if dragging && !matches!(action.group(), Group::File | Group::Edit) {
             return None;
         }
         // Tab goes through the controls while one of them has the keyboard, and through the joints otherwise.
         let tab = pressed.chord.key == Key::Tab;
         (!tab || self.is_on_picture(ui)).then_some(action)
+    }
+
+    /// While the figure walks: keys of the pose's joints mean nothing, held keys are read by the walk itself, and what a
+    /// control takes for itself is the control's while it has the keyboard.
+    fn asked_of_walk(&self, ui: &Ui, pressed: &Pressed, action: Action) -> Option<Action> {
+        use Action::*;
+        let held =
+            matches!(action, SteerAhead | SteerBack | SteerLeft | SteerRight | StrafeLeft | StrafeRight);
+        let control = matches!(pressed.chord.key, Key::Space | Key::Enter | Key::Tab);
+        let posing = matches!(action.group(), Group::Selection | Group::Pose);
+        (!held && !posing && (!control || self.means_walk(ui))).then_some(action)
     }
 
     /// Whether keys mean the figure: no control has the keyboard, or the pointer is on the picture, or joints are chosen

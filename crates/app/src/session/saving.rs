@@ -12,12 +12,15 @@ use crate::saving::{Saving, Seen};
 impl Session {
     /// Begins to write what the view shows, without marks, as was chosen in the dialog.
     pub(super) fn save_picture(&mut self, ctx: &Context, path: &Path) {
-        let seen = Seen {
-            subject: Subject::of(&self.editor),
-            camera: self.viewport.camera_for_picture(),
-            finish: self.settings.finish,
-            file: self.path.as_deref(),
+        let (subject, camera) = match self.walk.subject().filter(|_| self.is_walking()) {
+            Some(subject) => (subject, self.walk.picture.camera),
+            None => {
+                let (editor, ground) = (&self.editor, self.viewport.ground.clone());
+                let subject = Subject::of_pose(editor.figure(), editor.pose(), ground);
+                (subject, self.viewport.camera_for_picture())
+            }
         };
+        let seen = Seen { subject, camera, finish: self.settings.finish, file: self.path.as_deref() };
         let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture);
         self.told(begun);
     }

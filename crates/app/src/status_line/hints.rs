@@ -25,6 +25,9 @@ impl Hint {
 
 /// The hints that fit the moment and the place of the pointer, the most telling first.
 pub fn now(session: &Session, pointer: Option<Pos2>) -> Vec<Hint> {
+    if session.is_walking() {
+        return of_walk(session);
+    }
     if let Some(told) = session.viewport.telling() {
         return read(&told);
     }
@@ -61,6 +64,26 @@ fn caps(keys: &str) -> Vec<String> {
         return keys.split(' ').map(str::to_owned).collect();
     }
     vec![keys.to_owned()]
+}
+
+/// What keys do to the walk.
+fn of_walk(session: &Session) -> Vec<Hint> {
+    use Action::{SteerAhead, SteerBack, SteerLeft, SteerRight, StrafeLeft, StrafeRight};
+    let keys = |actions: &[Action], does: &str| {
+        let keys = actions.iter().map(|action| session.keymap().shown(*action)).filter(|key| !key.is_empty());
+        Hint { keys: keys.collect(), does: does.to_owned() }
+    };
+    let play = if session.walk().clock.playing { "halt" } else { "go on" };
+    let hints = [
+        keys(&[SteerAhead, SteerLeft, SteerBack, SteerRight], "or arrows steer"),
+        keys(&[StrafeLeft, StrafeRight], "step aside"),
+        keys(&[Action::WalkPlay], play),
+        keys(&[Action::WalkStep], "one step"),
+        keys(&[Action::TakePose], "take the pose"),
+        keys(&[Action::Walk], "back to posing"),
+        keys(&[Action::Help], "all keys"),
+    ];
+    hints.into_iter().filter(|hint| !hint.keys.is_empty()).collect()
 }
 
 fn one(key: &str, does: &str) -> Hint {

@@ -91,6 +91,8 @@ const THEME: &[Entry] =
 const FINISH: &[Entry] = &[Do(Action::NextLook), Do(Action::JointPlanes), Do(Action::AmbientOcclusion), Line];
 
 const FIGURE_VIEWS: &[Entry] = &[
+    Do(Action::Walk),
+    Line,
     Do(Action::LookThroughPictureCamera),
     Do(Action::SetPictureCamera),
     Line,
@@ -112,7 +114,26 @@ const POSE: &[Entry] = &[
     Do(Action::Mirror),
     Do(Action::Symmetry),
     Do(Action::Balance),
+    Do(Action::StandOnGround),
     Do(Action::Ranges),
+];
+
+const WALK: &[Entry] = &[
+    Do(Action::Walk),
+    Line,
+    Do(Action::WalkPlay),
+    Do(Action::WalkStep),
+    Do(Action::WalkSlower),
+    Do(Action::WalkRestart),
+    Line,
+    Do(Action::WalkAlone),
+    Do(Action::WalkSit),
+    Line,
+    Do(Action::WalkPlacement),
+    Do(Action::WalkBeside),
+    Do(Action::WalkFollow),
+    Line,
+    Do(Action::TakePose),
 ];
 
 /// The menus of a figure's window.
@@ -121,6 +142,7 @@ pub const FIGURE: &[Menu] = &[
     Menu("Edit", &[EDIT]),
     Menu("View", &[SEEN_FROM, &[Title("Look of the figure")], LOOKS, FINISH, FIGURE_VIEWS, THEME]),
     Menu("Pose", &[POSE]),
+    Menu("Walk", &[WALK]),
 ];
 
 /// The menus of a chain's window.

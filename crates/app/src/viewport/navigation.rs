@@ -2,7 +2,7 @@
 
 use edit::{Button, Editor, Keys, Motion, Preset, Step, ViewEvent};
 use egui::{CursorIcon, Event, MouseWheelUnit, PointerButton, Pos2, Ui};
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use rig::{Bone, Projection, View};
 
 use super::{Viewport, framed};
@@ -13,6 +13,13 @@ pub const WHEEL_REST_SECS: f64 = 0.2;
 const POINTS_PER_LINE: f32 = 40.0;
 
 impl Viewport {
+    /// Goes along with a figure that has moved by so much, metres.
+    pub fn go_along(&mut self, by: DVec3) {
+        if by.is_finite() {
+            self.camera.target += by.as_vec3();
+        }
+    }
+
     /// Seen from a named side, with the same target and lens.
     pub fn view(&mut self, view: View) {
         self.leave_picture_camera();

@@ -8,6 +8,8 @@ use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use render::{Blit, DrawError, FigureView, Gpu, Image, Look, Overlay, Renderer, Scene};
 use rig::{Bone, Camera, Figure, Mesh, Palette, RobotSkin};
 
+use crate::picture::Underfoot;
+
 /// What one picture shows. Equal pictures look equal, so the second of two is not drawn.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Picture {
@@ -19,6 +21,7 @@ pub struct Picture {
     parts: Vec<Part>,
     overlay: Overlay,
     backdrop: Option<Reference>,
+    ground: Option<Underfoot>,
     slot: usize,
 }
 
@@ -120,8 +123,15 @@ impl Picture {
             parts,
             overlay,
             backdrop: None,
+            ground: None,
             slot: 0,
         }
+    }
+
+    /// On a patch of ground in place of the plane at height 0.
+    pub fn upon(mut self, ground: Option<&Underfoot>) -> Picture {
+        self.ground = ground.cloned();
+        self
     }
 
     /// Before a picture for reference of that opacity.
@@ -155,7 +165,12 @@ struct Slot {
     drawn: Option<Picture>,
     /// The body whose meshes the renderer has.
     body: Body,
+    /// The ground that it has.
+    ground: Option<Underfoot>,
 }
+
+/// Where the renderer keeps the ground: beyond the meshes of any body.
+const GROUND_SLOT: usize = usize::MAX;
 
 impl Slot {
     fn new(gpu: &Gpu, format: wgpu::TextureFormat, body: &Body) -> Result<Slot, DrawError> {
@@ -164,6 +179,7 @@ impl Slot {
             blit: Blit::new(gpu, format),
             drawn: None,
             body: body.clone(),
+            ground: None,
         };
         slot.upload()?;
         Ok(slot)
@@ -188,17 +204,21 @@ impl Slot {
         if self.drawn.as_ref().and_then(|drawn| drawn.backdrop.as_ref()) != picture.backdrop.as_ref() {
             self.renderer.set_backdrop(picture.backdrop.as_ref().map(|reference| &*reference.0))?;
         }
+        if let Some(patch) = picture.ground.as_ref().filter(|_| self.ground != picture.ground) {
+            self.renderer.set_mesh(GROUND_SLOT, patch.mesh())?;
+            self.ground = picture.ground.clone();
+        }
         let meshes = picture.body.meshes().iter().zip(&picture.parts).enumerate();
         // A mesh of nothing was not uploaded: its slot has what another body left there.
         let seen = meshes.filter(|(_, (mesh, _))| !mesh.indices.is_empty());
-        let figures: Vec<FigureView> = seen
-            .map(|(skin, (_, part))| FigureView {
-                skin,
-                selected: &part.selected,
-                hovered: &part.hovered,
-                ..FigureView::new(&part.palette)
-            })
-            .collect();
+        let ground = picture.ground.as_ref().map(|_| Underfoot::view(GROUND_SLOT));
+        let figures = seen.map(|(skin, (_, part))| FigureView {
+            skin,
+            selected: &part.selected,
+            hovered: &part.hovered,
+            ..FigureView::new(&part.palette)
+        });
+        let figures: Vec<FigureView> = figures.chain(ground).collect();
         let scene = Scene {
             look: picture.look,
             overlay: &picture.overlay,

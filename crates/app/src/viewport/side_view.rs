@@ -103,7 +103,7 @@ impl Viewport {
         let lit = Lit { selected: selection.bones(), hovered };
         let look = quality.of(self.look(ui));
         let picture = Picture::new(editor, side.camera, side.rect, scale, drawing.overlay, lit, look);
-        let picture = picture.in_second_slot();
+        let picture = picture.upon(self.ground.as_ref()).in_second_slot();
         let painter = ui.painter();
         painter.add(egui_wgpu::Callback::new_paint_callback(side.rect, picture));
         let stage = Stage { sight: side.sight(), ..self.stage(editor, selection.active()) };

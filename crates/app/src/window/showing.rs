@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::keymap::defaults;
 use crate::session::Session;
 use crate::viewport::Guide;
+use crate::walk::{GroundKind, Mark};
 
 /// What was done in the window before its picture was taken.
 #[derive(clap::Args, Clone, PartialEq, Default, Debug)]
@@ -24,6 +25,15 @@ pub struct Showing {
     /// Guides to a limb's reach, by the words of their buttons: leftArm:line,leftArm:outer; of a chain: line,outer.
     #[arg(long, value_name = "LIMB:GUIDE", value_delimiter = ',', requires = "ui")]
     guides: Vec<String>,
+    /// Shows the Walk mode after so many seconds of walking.
+    #[arg(long, value_name = "SECONDS", requires = "ui")]
+    walked: Option<f64>,
+    /// On what it walks, by the words of the chooser: hills, slope, stairs.
+    #[arg(long, value_name = "GROUND", value_parser = ground, requires = "ui")]
+    walk_on: Option<GroundKind>,
+    /// Marks over the walking figure, by the words of their boxes without spaces: hiptofoot,footprints.
+    #[arg(long, value_name = "MARKS", value_delimiter = ',', value_parser = mark, requires = "ui")]
+    walk_marks: Vec<Mark>,
     /// Where the pointer is, in points of the window: 640,400.
     #[arg(long, value_name = "X,Y", value_parser = place, requires = "ui")]
     pointer: Option<Pos2>,
@@ -42,7 +52,7 @@ fn bone(name: &str) -> Result<Bone, String> {
 /// Actions that neither change the pose nor touch a file; of those for drags the one that shows by itself.
 fn action(name: &str) -> Result<Action, String> {
     let seen = |action: &Action| {
-        matches!(action.group(), Group::Selection | Group::View | Group::Window)
+        matches!(action.group(), Group::Selection | Group::View | Group::Window | Group::Walk)
             || *action == Action::TurnInContact
     };
     Action::of_name(name).filter(seen).ok_or_else(|| {
@@ -63,6 +73,27 @@ fn guide_of_word(word: &str) -> Result<Guide, String> {
     let words = || Guide::ALL.map(|guide| guide.word().to_lowercase()).join(", ");
     let guide = Guide::ALL.into_iter().find(|guide| guide.word().eq_ignore_ascii_case(word));
     guide.ok_or_else(|| format!("no such guide; there are {}", words()))
+}
+
+fn ground(word: &str) -> Result<GroundKind, String> {
+    let kinds = GroundKind::ALL.into_iter().filter(|kind| *kind != GroundKind::File);
+    let words = |kind: GroundKind| bare(kind.words());
+    let found = kinds.clone().find(|kind| words(*kind) == bare(word));
+    found.ok_or_else(|| {
+        format!("no such ground; there are {}", kinds.map(words).collect::<Vec<_>>().join(", "))
+    })
+}
+
+fn mark(word: &str) -> Result<Mark, String> {
+    let found = Mark::ALL.into_iter().find(|mark| bare(mark.words()) == bare(word));
+    found.ok_or_else(|| {
+        format!("no such mark; there are {}", Mark::ALL.map(|mark| bare(mark.words())).join(", "))
+    })
+}
+
+/// Letters alone, small.
+fn bare(words: &str) -> String {
+    words.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
 fn place(text: &str) -> Result<Pos2, String> {
@@ -96,8 +127,21 @@ impl Showing {
             let (limb, guide) = guide(words).map_err(Failure::Usage)?;
             session.panels.set_guide(limb, guide, true);
         }
+        let walks = self.walked.is_some();
+        if walks && !session.is_walking() {
+            session.act(ctx, Action::Walk);
+        }
+        if let Some(kind) = self.walk_on {
+            let walk = session.walk_mut();
+            walk.terrain.choice.kind = kind;
+            walk.ground_in_pose = !walks;
+        }
+        self.walk_marks.iter().for_each(|mark| session.walk_mut().marks.set(*mark, true));
         for action in &self.actions {
             session.act(ctx, *action);
+        }
+        if let Some(secs) = self.walked {
+            session.walk_mut().walk_on(secs);
         }
         Ok(())
     }

@@ -79,8 +79,21 @@ fn of_figure(session: &Session, scale: f64) -> Map<String, Value> {
         ("handles", named(handles, scale)),
         ("camera", camera(&session.viewport.camera)),
         ("picture", picture(session.viewport.rect(), scale)),
+        ("walk", walk(session)),
     ];
     map.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
+}
+
+/// What the figure's walk has come to; nothing while the window poses.
+fn walk(session: &Session) -> Value {
+    let walk = session.walk();
+    let Some(place) = walk.place().filter(|_| walk.is_open()) else { return Value::Null };
+    json!({
+        "place": place.position.to_array(),
+        "turn": place.turn,
+        "playing": walk.clock.playing,
+        "steps": walk.clock.steps(),
+    })
 }
 
 /// The joints' values in degrees and metres, what is chosen, and where links and handles are.

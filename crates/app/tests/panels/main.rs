@@ -18,3 +18,4 @@ mod reaching;
 mod selection;
 mod sliders;
 mod views;
+mod walking;

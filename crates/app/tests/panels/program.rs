@@ -508,7 +508,7 @@ fn every_control_has_a_name_in_every_part_of_the_window() {
     check(&hand, "library and second view");
     hand.key_press(Key::N);
     hand.run_steps(20);
-    for menu in ["File", "Edit", "View", "Pose"] {
+    for menu in ["File", "Edit", "View", "Pose", "Walk"] {
         click(&mut hand, menu);
         check(&hand, menu);
         press(&mut hand, Modifiers::NONE, Key::Escape);

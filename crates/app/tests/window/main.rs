@@ -8,6 +8,7 @@ mod by_hand;
 mod excavator;
 mod program;
 mod recording;
+mod walking;
 
 use std::path::Path;
 use std::process::{Command, Stdio};
