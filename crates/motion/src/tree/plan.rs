@@ -1,6 +1,6 @@
 //! The plan of a blend tree: what a `*.blend.ron` file says, an editable value that knows clips by their names.
 
-use rig::{Bone, Part, TextFault, check_version, from_ron};
+use rig::{Bone, Part, TextFault, check_version};
 use serde::de::{SeqAccess, Visitor};
 use serde::ser::SerializeTuple;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -263,13 +263,24 @@ struct PlanText {
     root: PlanNode,
 }
 
-/// Reads a blend tree file. Nodes may stand about ten deep in each other.
+/// As other files are read, but nodes stand deeper in each other.
+fn options() -> ron::Options {
+    ron::Options::default()
+        .with_recursion_limit(96)
+        .with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME)
+}
+
+/// Reads a blend tree file. Nodes may stand some twenty deep in each other.
 ///
 /// # Errors
 /// Malformed text, a version that is not known, unknown fields, and whatever [`Plan::check`] finds: what and where.
 pub fn parse_plan(text: &str) -> Result<Plan, TextFault> {
     check_version(text, BLEND_VERSION)?;
-    let PlanText { root, .. } = from_ron(text)?;
+    let PlanText { root, .. } = options().from_str(text).map_err(|e| TextFault {
+        line: e.span.start.line.max(1),
+        column: e.span.start.col.max(1),
+        message: e.code.to_string(),
+    })?;
     let plan = Plan { root };
     plan.check().map_err(|fault| fault.in_text(text))?;
     Ok(plan)
@@ -279,8 +290,7 @@ pub fn parse_plan(text: &str) -> Result<Plan, TextFault> {
 pub fn write_plan(plan: &Plan) -> String {
     let pretty = ron::ser::PrettyConfig::new().separate_tuple_members(false).new_line("\n");
     let file = PlanText { version: BLEND_VERSION, root: plan.root.clone() };
-    let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
-    let mut text = options.to_string_pretty(&file, pretty).unwrap_or_default();
+    let mut text = options().to_string_pretty(&file, pretty).unwrap_or_default();
     text.push('\n');
     text
 }
