@@ -39,7 +39,8 @@ fn surveyed(pixel: vec2<f32>, depth: f32) -> vec2<f32> {
     weigh(&sum, at, here + to, depth);
     weigh(&sum, at, here - vec2(to.x, 0), depth);
     weigh(&sum, at, here - vec2(0, to.y), depth);
-    return sum.xy / max(sum.z, 1e-5);
+    // Far off at a grazing angle no texel shows quite this place: then the least unlike counts.
+    return sum.xy / max(sum.z, 1e-25);
 }
 
 // How much ink is on a pixel: each texel of the survey on a line is a dot of its width.

@@ -16,7 +16,7 @@ pub const MOST: u32 = 20_000;
 /// The farthest that a crowd's ground reaches from its middle, metres: as far as ground is drawn.
 const FARTHEST_M: f32 = 58.0;
 /// Ground for each figure, square metres.
-const ROOM_M2: f32 = 7.0;
+const ROOM_M2: f32 = 5.0;
 /// The grid in which the ground's heights are kept, metres.
 const CELL_M: f32 = 0.125;
 /// Nobody stands in another after so long, seconds.
@@ -139,7 +139,7 @@ impl Throng {
 fn vertices_for(count: usize) -> usize {
     match count {
         0..=30 => usize::MAX,
-        31..=300 => 4000,
+        31..=300 => 6000,
         301..=3000 => 1500,
         _ => 700,
     }
@@ -197,4 +197,56 @@ fn gaits_of(clip: &FittedClip, figure: &Figure) -> Vec<Gait> {
     }
     let stands = !clip.is_stride() && clip.loops() && straight && ahead.abs() < 0.01;
     stands.then(|| gait(0.0, length)).into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::clips;
+
+    fn throng(bodies: &[&str], count: u32) -> Throng {
+        let named = |name: &&str| {
+            let file = format!("{}{name}.figure.ron", interchange::figure::LIBRARY);
+            load::figure(Some(std::path::Path::new(&file))).unwrap()
+        };
+        let figures: Vec<_> = bodies.iter().map(named).collect();
+        let clips: Vec<Clip> = clips::names().map(|name| load::clip(name.as_ref()).unwrap()).collect();
+        let ground = Ground::parse_kind("hills", 3).unwrap();
+        Throng::new(&figures, &clips, &ground, count, 7).unwrap()
+    }
+
+    #[test]
+    fn bodies_take_turns_and_the_same_start_gives_the_same_bits() {
+        let mut once = throng(&["mannequin", "child"], 41);
+        assert_eq!(once.kinds().iter().map(Kind::count).collect::<Vec<_>>(), [21, 20]);
+        assert!(once.kinds().iter().all(|kind| kind.mesh.vertex_count() <= 6000));
+        let mut again = once.clone();
+        for _ in 0..30 {
+            once.step(1.0 / 30.0);
+            again.step(1.0 / 30.0);
+        }
+        let numbers = |throng: &Throng| -> Vec<u32> {
+            throng.views(0).iter().flat_map(|view| view.matrices.iter().map(|n| n.to_bits())).collect()
+        };
+        assert_eq!(numbers(&once), numbers(&again));
+        assert!(once.views(5).iter().map(|view| view.skin).eq(5..7));
+        assert_eq!(throng(&["man", "woman"], 1).kinds().len(), 1, "a body that nobody has isn't there");
+    }
+
+    #[test]
+    fn few_walk_through_each_other() {
+        let mut throng = throng(&["mannequin"], 120);
+        let (mut near, mut all) = (0, 0);
+        for _ in 0..120 {
+            throng.step(1.0 / 30.0);
+            let places: Vec<[f32; 2]> = throng.kinds()[0].crowd.places().collect();
+            let touches = |at: &[f32; 2]| {
+                let apart = |other: &[f32; 2]| (other[0] - at[0]).hypot(other[1] - at[1]);
+                places.iter().filter(|other| apart(other) < 0.35).count() > 1
+            };
+            near += places.iter().filter(|at| touches(at)).count();
+            all += places.len();
+        }
+        assert!(near * 100 < all, "{near} of {all} times someone is in another");
+    }
 }
