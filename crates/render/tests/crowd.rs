@@ -187,3 +187,25 @@ fn a_device_without_storage_buffers_in_its_vertex_shaders_says_so() {
     assert_eq!(renderer.gpu().take_fault(), None);
     renderer.image(&crowd_scene(&[], Pass::Color, Look::default())).unwrap();
 }
+
+#[test]
+fn a_light_skin_keeps_the_silhouette() {
+    let (whole, palette) = body::mannequin(&body::relaxed());
+    let mut renderer = renderer();
+    let figures = [FigureView::new(&palette)];
+    renderer.set_mesh(0, &whole).unwrap();
+    let mut camera = Camera { yaw_rad: 0.5, ..Camera::default() };
+    camera.frame(renderer.bounds(&figures), 1.0);
+    let mut image = |mesh: &rig::Mesh| {
+        renderer.set_mesh(0, mesh).unwrap();
+        let scene = Scene { pass: Pass::Silhouette, ..Scene::new(&figures, camera, [200, 200]) };
+        renderer.image(&scene).unwrap()
+    };
+    let full = image(&whole);
+    let shown = full.rgba.chunks_exact(4).filter(|pixel| pixel[0] > 127).count();
+    // As large as a figure in a crowd is ever seen.
+    for (vertices, thousandths) in [(6000, 2), (1500, 6), (700, 25)] {
+        let off = unlike(&image(&rig::simplified(&whole, vertices)), &full, 127);
+        assert!(off * 1000 <= shown * thousandths, "{vertices} vertices: {off} of {shown} pixels");
+    }
+}

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use motion::Ground;
 use render::{Pass, Renderer, Scene, Stats};
-use rig::{Bounds, Camera, Figure, View};
+use rig::{Bounds, Camera, Figure};
 use serde::Serialize;
 
 use super::WalkArguments;
@@ -18,8 +18,9 @@ use crate::throng::Throng;
 
 /// The bodies of a crowd, unless one is told.
 const BODIES: [&str; 6] = ["man", "woman", "elderly", "child", "heroic", "mannequin"];
-/// Where the camera stands, unless it is told: about the vertical and above the horizon, degrees.
-const SEEN_FROM: [f32; 2] = [24.0, 13.0];
+/// Where the camera stands, unless it is told: about the vertical and above the horizon.
+const YAW_DEG: f32 = 24.0;
+const PITCH_DEG: f32 = 13.0;
 /// How far the camera is from the middle, over how far the crowd reaches from there.
 const DISTANCE_SHARE: f32 = 1.15;
 
@@ -52,14 +53,7 @@ struct PictureRecord {
 
 /// Walks, then writes what is asked for.
 pub fn walk(told: &WalkArguments, count: u32) -> Result<(), Failure> {
-    let order = match &told.output {
-        Some(output) => {
-            let order = told.shot.order(format!("crowd on {}", told.ground), Vec::new(), output, told.fps)?;
-            order.check_for(told.frames().len())?;
-            Some(order)
-        }
-        None => None,
-    };
+    let order = told.output.as_deref().map(|output| order(told, output)).transpose()?;
     let ground = load::ground(&told.ground, told.seed)?;
     let clips = clips::names().map(|name| load::clip(Path::new(&name))).collect::<Result<Vec<_>, _>>()?;
     let start = Throng::new(&figures(told.figure.as_deref())?, &clips, &ground, count, told.seed)?;
@@ -70,6 +64,16 @@ pub fn walk(told: &WalkArguments, count: u32) -> Result<(), Failure> {
         None if told.output.is_some() => Ok(()),
         _ => crate::cli::print(&json(&report)?),
     }
+}
+
+/// An order for the pictures; their moments are made while they are drawn.
+fn order(told: &WalkArguments, output: &Path) -> Result<Order, Failure> {
+    let order = told.shot.order(format!("crowd on {}", told.ground), Vec::new(), output, told.fps)?;
+    order.check_for(told.frames().len())?;
+    if order.passes.contains(&Pass::OpenPose) {
+        return Err(Failure::Usage("--pass openpose: a crowd has no keypoints".to_owned()));
+    }
+    Ok(order)
 }
 
 fn figures(told: Option<&Path>) -> Result<Vec<Arc<Figure>>, Failure> {
@@ -83,9 +87,6 @@ fn figures(told: Option<&Path>) -> Result<Vec<Arc<Figure>>, Failure> {
 
 /// Draws the frames one after the other; what the last one cost.
 fn draw(told: &WalkArguments, order: &Order, start: &Throng, ground: &Ground) -> Result<Stats, Failure> {
-    if order.passes.contains(&Pass::OpenPose) {
-        return Err(Failure::Usage("--pass openpose: a crowd has no keypoints".to_owned()));
-    }
     let mut renderer = Renderer::new(&open_gpu()?);
     // The ground is in the first slot, the bodies in those after it.
     let patch = Underfoot::square(ground, f64::from(start.half_m()) + 4.0, told.shot.is_bright());
@@ -132,11 +133,7 @@ fn draw(told: &WalkArguments, order: &Order, start: &Throng, ground: &Ground) ->
 
 /// Over the crowd, its nearest figures being large.
 fn camera(told: &WalkArguments, throng: &Throng) -> Camera {
-    let mut viewpoint = told.shot.viewpoint();
-    if viewpoint.view == View::ThreeQuarter {
-        viewpoint.yaw_deg.get_or_insert(SEEN_FROM[0]);
-        viewpoint.pitch_deg.get_or_insert(SEEN_FROM[1]);
-    }
+    let viewpoint = told.shot.viewpoint_or(YAW_DEG, PITCH_DEG);
     let around = Bounds { min: throng.middle() - 1.0, max: throng.middle() + 1.0 };
     let mut camera = viewpoint.camera(around, Shot::new(told.shot.size()).aspect());
     camera.target = throng.middle();
