@@ -218,11 +218,12 @@ fn every_figure_walks_on_every_ground() {
 
 #[test]
 fn speeds_from_standing_to_jogging() {
-    for speed in ["0", "0.5", "2.6"] {
-        let report = walk(&["--speed", speed, "--seconds", "4"]);
+    for (speed, sideways) in [("0", "0"), ("0.5", "0"), ("2.6", "0"), ("0", "0.6")] {
+        let report = walk(&["--speed", speed, "--sideways", sideways, "--seconds", "4"]);
         let at = |i: usize| point(&frames(&report)[i]["hips"]);
-        let found = (at(239) - at(119)).length() / 2.0;
-        assert!((found - speed.parse::<f64>().unwrap()).abs() < 0.15, "{speed}: {found}");
+        let found = (at(239) - at(119)) / 2.0;
+        let asked = [sideways, speed].map(|v| v.parse::<f64>().unwrap());
+        assert!((found.x - asked[0]).abs() < 0.1 && (found.z - asked[1]).abs() < 0.15, "{asked:?}: {found}");
     }
 }
 
@@ -285,6 +286,7 @@ fn bad_walks_say_why_in_a_sentence() {
         (&["--seconds", "inf"], 2, "more than 0"),
         (&["--rate", "0"], 2, "--rate"),
         (&["--turn", "x"], 2, "degrees a second"),
+        (&["--sideways", "-13"], 2, "from -12 to 12"),
         (&["--seed", "-3"], 2, "--seed"),
         (&["--ground", "hils"], 2, "did you mean \"hills\"?"),
         (&["--ground", "grass.txt"], 1, "grass.txt"),

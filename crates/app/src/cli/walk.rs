@@ -18,8 +18,8 @@ use stroll::Stroll;
 
 /// The fastest speed that can be asked for, metres a second: a sprinter's.
 const FASTEST: f64 = 12.0;
-/// The longest walk, seconds.
-const LONGEST_SECS: f64 = 3600.0;
+/// The longest walk, seconds: all of it is in memory.
+const LONGEST_SECS: f64 = 600.0;
 
 /// What `walk` is told.
 #[derive(Args, Debug)]
@@ -33,10 +33,13 @@ pub struct WalkArguments {
     /// How fast, 0 to 12.
     #[arg(long, default_value = "1.4", value_name = "M/S", allow_negative_numbers = true, value_parser = speed)]
     speed: f64,
+    /// How fast to the figure's left besides, -12 to 12.
+    #[arg(long, default_value = "0", value_name = "M/S", allow_negative_numbers = true, value_parser = sideways)]
+    sideways: f64,
     /// Turns to the figure's left so fast, -180 to 180.
     #[arg(long, default_value = "0", value_name = "DEGREES/S", allow_negative_numbers = true, value_parser = turn)]
     turn: f64,
-    /// How long, at most 3600.
+    /// How long, at most 600.
     #[arg(long, default_value = "10", value_name = "N", allow_negative_numbers = true, value_parser = seconds)]
     seconds: f64,
     /// Steps of time a second.
@@ -47,7 +50,7 @@ pub struct WalkArguments {
     no_foot_placement: bool,
     /// So many figures walk together, each its own way; at most 20000. The report says what they are and what a picture costs.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)),
-        conflicts_with_all = ["speed", "turn", "tree", "no_foot_placement"])]
+        conflicts_with_all = ["speed", "sideways", "turn", "tree", "no_foot_placement"])]
     crowd: Option<u32>,
     /// Another figure, *.figure.ron.
     #[arg(long)]
@@ -74,6 +77,11 @@ impl WalkArguments {
         ((self.seconds * f64::from(self.rate)).round() as usize).max(1)
     }
 
+    fn steering(&self) -> Steering {
+        let (forward, sideways) = (self.speed, self.sideways);
+        Steering { speed: forward.hypot(sideways), forward, sideways, turn: self.turn, ..Steering::default() }
+    }
+
     /// The steps of time that are drawn.
     fn frames(&self) -> Vec<usize> {
         let at = |frame: u64| (frame * u64::from(self.rate) / u64::from(self.fps)) as usize;
@@ -88,6 +96,10 @@ fn within(text: &str, what: &str, least: f64, most: f64) -> Result<f64, String> 
 
 fn speed(text: &str) -> Result<f64, String> {
     within(text, "metres a second", 0.0, FASTEST)
+}
+
+fn sideways(text: &str) -> Result<f64, String> {
+    within(text, "metres a second", -FASTEST, FASTEST)
 }
 
 fn turn(text: &str) -> Result<f64, String> {
@@ -117,8 +129,7 @@ pub fn walk(told: &WalkArguments) -> Result<(), Failure> {
         tree: load::tree(&figure, told.tree.as_deref())?,
         figure,
         ground: load::ground(&told.ground, told.seed)?,
-
-        steering: Steering { speed: told.speed, forward: told.speed, turn: told.turn, ..Steering::default() },
+        steering: told.steering(),
         steps: told.steps(),
         rate: told.rate,
         places_feet: !told.no_foot_placement,
