@@ -13,7 +13,7 @@ mod walking;
 
 use std::path::{Path, PathBuf};
 
-use edit::{Document, Editor, Request};
+use edit::{Command, Document, Editor, Request};
 use egui::{Key, Ui};
 use rig::Pose;
 
@@ -191,7 +191,17 @@ impl Session {
 
     fn submit_all(&mut self, requests: Vec<Request>) {
         for request in requests {
-            self.submit(request);
+            match request {
+                Request::Do(command @ (Command::MoveHips { .. } | Command::Place { .. }))
+                    if self.viewport.ground.is_some() =>
+                {
+                    // Feet that stand on the ground go along within the same step.
+                    self.submit(Request::Preview(command));
+                    self.keep_standing();
+                    self.submit(Request::Commit);
+                }
+                request => self.submit(request),
+            }
         }
     }
 

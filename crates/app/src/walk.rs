@@ -132,7 +132,7 @@ impl Walk {
         if same {
             return;
         }
-        match self.tree.read(figure) {
+        match self.tree.read_for(figure) {
             Ok(tree) => {
                 let walker = Walker::new(figure.clone(), tree);
                 self.stage = Some(Stage::new(figure.clone(), walker));

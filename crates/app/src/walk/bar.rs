@@ -17,8 +17,7 @@ pub fn switch(ui: &mut Ui, walks: bool, keymap: &Keymap, asked: &mut Vec<Wish>) 
             ("Pose", false, "Poses the figure: by its skin, by handles, by sliders"),
             ("Walk", true, "Lets the figure walk over a ground; its pose stays as it is"),
         ] {
-            let button =
-                Button::selectable(walks == walk, RichText::new(words)).min_size(egui::vec2(48.0, 22.0));
+            let button = Button::selectable(walks == walk, RichText::new(words));
             let tip = if keys.is_empty() { tip.to_owned() } else { format!("{tip} ({keys})") };
             let response = ui.add(button).accessible_name(format!("{words} mode")).on_hover_text(tip);
             if response.clicked() && walks != walk {
@@ -31,7 +30,8 @@ pub fn switch(ui: &mut Ui, walks: bool, keymap: &Keymap, asked: &mut Vec<Wish>) 
 /// Play, step, slow motion, restart, and the way of the pose into the document.
 pub fn time(ui: &mut Ui, walk: &Walk, keymap: &Keymap, asked: &mut Vec<Wish>) {
     let mut button = |ui: &mut Ui, action: Action, words: &str| {
-        let button = Button::new(RichText::new(words)).min_size(egui::vec2(48.0, 22.0));
+        let button = Button::new(RichText::new(words))
+            .min_size(egui::vec2(if words.len() > 4 { 0.0 } else { 44.0 }, 22.0));
         if ui.add(button).on_hover_text(tip(keymap, action)).clicked() {
             asked.push(Wish::Do(action));
         }
@@ -44,7 +44,7 @@ pub fn time(ui: &mut Ui, walk: &Walk, keymap: &Keymap, asked: &mut Vec<Wish>) {
         ui.spacing_mut().item_spacing.x = 1.0;
         for motion in Motion::ALL {
             let button = Button::selectable(walk.clock.motion == motion, motion.words());
-            let response = ui.add(button.min_size(egui::vec2(30.0, 22.0))).accessible_name(motion.name());
+            let response = ui.add(button.min_size(egui::vec2(26.0, 22.0))).accessible_name(motion.name());
             if response.on_hover_text(tip(keymap, Action::WalkSlower)).clicked() {
                 asked.push(Wish::Time(motion));
             }

@@ -57,11 +57,6 @@ impl Pads {
         });
         sticks.unwrap_or_default().wish()
     }
-
-    /// Whether there is a pad that may be moved at any time.
-    pub fn is_there(&self) -> bool {
-        self.0.as_ref().is_some_and(|gilrs| gilrs.gamepads().next().is_some())
-    }
 }
 
 #[cfg(test)]

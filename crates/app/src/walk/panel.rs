@@ -146,7 +146,7 @@ fn ground(ui: &mut Ui, walk: &mut Walk, asked: &mut Vec<Asked>) {
                 value: seed,
                 speed: 0.1,
                 decimals: 0,
-                prefix: "№ ",
+                prefix: "No. ",
                 suffix: "",
             };
             let (response, change) = number.show(ui, rect);

@@ -174,7 +174,8 @@ impl WalkPicture {
         let joints = shown.figure.skeleton.joints();
         let tight = Bounds::of(joints.map(|joint| walker.frames[joint.bone].position.as_vec3()));
         // Room for a stride and for the ground around it.
-        let air = Vec3::new(0.45, 0.2, 0.45) * (tight.max.y - tight.min.y).max(0.1) / 1.7;
+        let wide = if shown.walkers.len() > 1 { 0.15 } else { 0.4 };
+        let air = Vec3::new(wide, 0.15, wide) * (tight.max.y - tight.min.y).max(0.1) / 1.7;
         let width = self.rect.width() / shown.walkers.len().max(1) as f32;
         let bounds = Bounds { min: tight.min - air, max: tight.max + air };
         self.camera.frame(bounds, width / self.rect.height().max(1.0));

@@ -66,6 +66,18 @@ impl TreeFile {
         tree
     }
 
+    /// Reads the tree for a figure that has none yet: of a file at fault, which is told, the tree that comes with the program
+    /// takes the place.
+    ///
+    /// # Errors
+    /// That tree doesn't fit the figure either.
+    pub fn read_for(&mut self, figure: &Arc<Figure>) -> Result<Arc<Tree>, Failure> {
+        match self.read(figure) {
+            Err(_) if !self.is_shipped() => load::tree(figure, None),
+            tree => tree,
+        }
+    }
+
     /// Opens a file.
     ///
     /// # Errors

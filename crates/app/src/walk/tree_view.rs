@@ -8,9 +8,9 @@ use crate::theme;
 /// The height of a node's row, points.
 const ROW: f32 = 18.0;
 /// From a node to what is in it, points to the right.
-const STEP: f32 = 13.0;
+const STEP: f32 = 12.0;
 /// Room for the weight's bar, and for its number.
-const BAR: f32 = 74.0;
+const BAR: f32 = 48.0;
 const NUMBER: f32 = 40.0;
 
 /// A node as it is drawn.

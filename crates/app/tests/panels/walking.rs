@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
-use crate::hand::{Hand, LEFT_ARM, at, click, pose, set, steps};
+use crate::hand::{Hand, LEFT_ARM, at, click, pose, set, set_number, steps};
 
 /// A window that walks, at so many frames a second. It repaints without end, so tests go frame by frame.
 fn walking(rate: f32) -> Hand {
@@ -228,9 +228,18 @@ fn the_posed_figure_stands_on_the_ground_and_its_feet_follow_as_the_hips_are_mov
     act(&mut hand, Action::StandOnGround);
     hand.run();
     assert_eq!(pose(&hand), stood, "who stands stays");
-    hand.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    hand.run();
-    assert_eq!(pose(&hand), before);
+    // Moved over the slope, feet and hips go along on it, in one step.
+    set_number(&mut hand, "Figure place z", 1.5);
+    let moved = pose(&hand);
+    let rise = moved.hips.y - stood.hips.y;
+    let slope = hand.state().walk().terrain.choice.slope_deg.to_radians().tan() * 1.5;
+    assert!((rise - slope).abs() < 0.05, "{rise} for {slope}");
+    assert_eq!(steps(&hand), 2, "standing again was none");
+    (0..2).for_each(|_| {
+        hand.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        hand.run();
+    });
+    assert_eq!(pose(&hand), before, "to the very bits");
 }
 
 #[test]
