@@ -14,7 +14,7 @@ pub struct Stairs {
 
 impl Default for Stairs {
     fn default() -> Stairs {
-        Stairs::new(0.17, 0.29, 8, 3.0)
+        Stairs::new(0.15, 0.37, 8, 3.0)
     }
 }
 

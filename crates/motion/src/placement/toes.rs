@@ -2,7 +2,7 @@
 
 use rig::{Dof, Frame};
 
-use super::fade::Fade;
+use super::fade::{Fade, smooth};
 use super::foot::Target;
 use super::footing::{Footing, foot_from_toes};
 use crate::{Ground, Sample};
@@ -10,6 +10,8 @@ use crate::{Ground, Sample};
 /// How quickly toes follow the ground while the ball holds, and go back when it doesn't, 1/s.
 const BENDS: f64 = 40.0;
 const STRAIGHTENS: f64 = 15.0;
+/// Ground that is so far off the sole's plane bends the toes; from the second on it is a step, metres.
+const STEP_M: (f64, f64) = (0.03, 0.06);
 /// Rounds of Newton's rule; the second is below a tenth of a degree.
 const ROUNDS: usize = 3;
 
@@ -47,7 +49,11 @@ pub(super) fn bend(
     let mut flexion = was.flexion;
     for _ in 0..ROUNDS {
         let (tip, ahead) = (tip_at(flexion, world_from_foot), tip_at(flexion + 1.0, world_from_foot));
-        let off = tip.y - ground.height(tip.x, tip.z) - above;
+        let plane = target.plane.height_at(level(tip));
+        let step = ground.height(tip.x, tip.z) - plane;
+        // Toes bend to the ground, but not up or down a step.
+        let bump = step * (1.0 - smooth(step.abs(), STEP_M.0, STEP_M.1));
+        let off = tip.y - plane - bump - above;
         let sinks = tip.y - ahead.y;
         if sinks > 1e-6 {
             flexion += (off / sinks).clamp(-40.0, 40.0);
