@@ -27,6 +27,8 @@ pub(super) struct Foot {
     pub roll: DVec3,
     /// Where the ground is asked for, in the foot's frame with the toes at rest.
     pub print: [DVec3; 5],
+    /// The whole sole's points, in the foot's frame with the toes at rest.
+    pub sole: [DVec3; Sole::COUNT],
     pub toes: Option<Toes>,
 }
 
@@ -80,6 +82,7 @@ impl Foot {
             ball: at_rest(Sole::BALL),
             roll: joint.map_or(at_rest(Sole::BALL), |toes| toes.offset),
             print: [Sole::HEEL + 1, Sole::HEEL + 2, Sole::BALL + 1, Sole::BALL + 2, Sole::TOES].map(at_rest),
+            sole: std::array::from_fn(at_rest),
             toes: joint
                 .filter(|_| points[Sole::TOES].1)
                 .map(|joint| Toes { joint: joint.clone(), tip: points[Sole::TOES].0 }),

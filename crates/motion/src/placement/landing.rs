@@ -6,15 +6,16 @@ use rig::Frame;
 use super::fade::smooth;
 use super::footing::Foot;
 use super::plane::Plane;
-use crate::Ground;
+use crate::{Ground, Sole};
 
 /// Swings are at least that long, seconds.
 const SHORTEST_SECS: f64 = 0.1;
 
 /// When it is settled where a foot comes down: the share of its swing.
 const SETTLED: f64 = 0.1;
-/// How far from where the motion has it a foot may come down, in steps.
-const SHIFTS: u32 = 8;
+/// How far from where the motion has it a foot may come down, in steps: along its way and aside.
+const SHIFTS: i32 = 10;
+const SHIFTS_ASIDE: i32 = 3;
 const SHIFT_STEP_M: f64 = 0.02;
 /// How much earlier a foot is lifted on a slope of 45 degrees, metres, and in which part of its swing.
 const EARLY_M: f64 = 0.25;
@@ -104,11 +105,9 @@ impl Landing {
         let print = foot.print.map(|point| level(heading * (point - foot.roll)));
         if self.shift.is_none() && progress > SETTLED {
             let along = (level(roll) - self.from.at).normalize_or_zero();
-            self.shift = Some(if ground.has_steps() {
-                shift(ground, level(roll), along, &print)
-            } else {
-                DVec2::ZERO
-            });
+            let sole = foot.sole.map(|point| level(heading * (point - foot.roll)));
+            let steps = ground.has_steps();
+            self.shift = Some(if steps { shift(ground, level(roll), along, &sole) } else { DVec2::ZERO });
         }
         let shift = self.shift.unwrap_or_default();
         let roll = roll + DVec3::new(shift.x, 0.0, shift.y);
@@ -181,15 +180,15 @@ impl Coming {
     }
 }
 
-/// How far along its way a foot is to come down elsewhere so that its whole sole is carried; else as much of it as can be.
-fn shift(ground: &Ground, at: DVec2, along: DVec2, print: &[DVec2; 5]) -> DVec2 {
-    let carried = |off: DVec2| Plane::carried(ground, at + off, &print.map(|p| at + off + p));
-    let mut best = (carried(DVec2::ZERO), DVec2::ZERO);
-    for step in 1..=SHIFTS {
-        for sign in [1.0, -1.0] {
-            let off = along * (sign * SHIFT_STEP_M * f64::from(step));
-            let found = carried(off);
-            if found > best.0 + 0.05 {
+/// How far from a place a foot is to come down so that its whole sole is carried; else as much of it as can be.
+fn shift(ground: &Ground, at: DVec2, along: DVec2, sole: &[DVec2; Sole::COUNT]) -> DVec2 {
+    let mut best = (f64::NEG_INFINITY, DVec2::ZERO);
+    for step in -SHIFTS..=SHIFTS {
+        for aside in -SHIFTS_ASIDE..=SHIFTS_ASIDE {
+            let off = (along * f64::from(step) + along.perp() * f64::from(aside)) * SHIFT_STEP_M;
+            // A point more that is carried is worth its way; the foot rather stays where it is.
+            let found = Plane::carried(ground, at + off, &sole.map(|p| at + off + p)) - 0.3 * off.length();
+            if found > best.0 {
                 best = (found, off);
             }
         }

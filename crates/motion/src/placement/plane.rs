@@ -53,13 +53,11 @@ impl Plane {
         Plane { at, height: fit.x, gradient: DVec2::new(fit.y, fit.z).clamp_length_max(STEEPEST) }
     }
 
-    /// The share of a sole's points that the ground would carry, 0 to 1; those at the ball, the third and the fourth,
-    /// count double.
-    pub fn carried(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> f64 {
+    /// The share of a sole's points that the ground would carry, 0 to 1.
+    pub fn carried<const N: usize>(ground: &Ground, at: DVec2, points: &[DVec2; N]) -> f64 {
         let (samples, highest) = samples(ground, at, points);
-        let weights =
-            samples.map(|Patch { off, height, gradient }| carries(highest - (height - gradient.dot(off))));
-        (weights.iter().sum::<f64>() + weights[2] + weights[3]) / 7.0
+        let carried = samples.iter().map(|s| carries(highest - (s.height - s.gradient.dot(s.off))));
+        carried.sum::<f64>() / N as f64
     }
 }
 
@@ -72,7 +70,7 @@ struct Patch {
 }
 
 /// The ground under a sole's points, and the height to which the highest of it leads at the sole's place.
-fn samples(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> ([Patch; 5], f64) {
+fn samples<const N: usize>(ground: &Ground, at: DVec2, points: &[DVec2; N]) -> ([Patch; N], f64) {
     let samples = points.map(|point| {
         let found = ground.under(point.x, point.y);
         let n = found.normal;
