@@ -18,6 +18,8 @@ const SLIP_FADES: f64 = 16.0;
 const PLANE_FADES: f64 = 22.0;
 /// What a foot's plane goes up or down at once, at most, metres.
 const JUMP_M: f64 = 0.05;
+/// So near the ground a plane may be held, metres.
+const SETTLED_M: f64 = 0.01;
 /// The bearing from which on a part of the sole holds wholly.
 const HOLDS: f64 = 0.6;
 /// Rounds in which a foot settles whose ankle can't bend far enough, and the angle at which it has, radians.
@@ -44,6 +46,7 @@ pub(super) struct FootState {
     /// The plane against the fitted one: rise along x, height at the pivot, rise along z.
     lift: Fade<DVec3>,
     plane: Plane,
+    settled: bool,
     /// The motion's heel and place of roll, and its yaw.
     flat: [DVec3; 2],
     yaw: f64,
@@ -224,6 +227,9 @@ impl FootState {
         if dt_secs > 0.0 && jump.y.abs() > JUMP_M {
             self.lift.value += jump;
         }
+        // A foot that came down elsewhere than was thought finds the ground first; then it holds its plane.
+        self.settled = held > 0.0 && (self.settled || (held > 0.5 && off(was).y.abs() < SETTLED_M));
+        let held = if self.settled { held } else { 0.0 };
         self.lift = self.lift.toward(DVec3::ZERO, PLANE_FADES, dt_secs).held(off(was), held);
         let lift = self.lift.value;
         self.plane = Plane {
