@@ -2,6 +2,7 @@
 //! shows can be taken as the pose.
 
 pub mod bar;
+mod blend_map;
 mod cast;
 mod clock;
 mod keys;
@@ -28,6 +29,7 @@ use rig::{Bone, Figure, Place, Pose};
 
 use crate::failure::Failure;
 use crate::picture::{Subject, Underfoot};
+use blend_map::BlendMap;
 use cast::Cast;
 pub use clock::{Clock, Motion, STEP_SECS};
 pub use marks::{Mark, Marks};
@@ -361,6 +363,12 @@ impl Walk {
             is_clip: node.is_clip,
         };
         walker.tree().outline(walker.state()).map(row).collect()
+    }
+
+    /// The axis blend that is live.
+    pub(crate) fn blend_map(&self) -> Option<BlendMap> {
+        let walker = self.stage.as_ref()?.actor().walker();
+        BlendMap::of(walker.tree().outline(walker.state()), walker.steering())
     }
 
     /// How the feet stand, and how far the hips are lowered.

@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 use render::{Color, Layer};
 use rig::{Bone, Frames, Side};
 
-use super::prints::Prints;
+use super::prints::{Prints, rounded};
 use super::stage::Moment;
 use crate::theme;
 use crate::viewport::drawing::{Drawing, Pen, rgba};
@@ -146,11 +146,12 @@ impl Of<'_> {
         for (print, fresh) in self.prints.all() {
             let alpha = 40.0 + 130.0 * fresh;
             let color = rgba(theme::side(print.side), alpha as u8);
-            let corners: Vec<_> = print.outline.iter().map(|p| (*p + DVec3::Y * LIFT_M).as_vec3()).collect();
+            let outline = rounded(&print.outline);
+            let corners: Vec<_> = outline.iter().map(|p| (*p + DVec3::Y * LIFT_M).as_vec3()).collect();
             drawing.overlay.polygon(&corners, color, Layer::Tested);
             let rim =
                 Pen { layer: Layer::Tested, ..Pen::new(rgba(theme::side(print.side), alpha as u8), 1.25) };
-            for (from, to) in print.outline.iter().zip(print.outline.iter().cycle().skip(1)) {
+            for (from, to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
                 drawing.line(*from + DVec3::Y * LIFT_M, *to + DVec3::Y * LIFT_M, rim);
             }
         }

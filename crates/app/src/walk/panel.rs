@@ -314,6 +314,10 @@ fn tree(ui: &mut Ui, walk: &mut Walk, asked: &mut Vec<Asked>) {
             ui.label(RichText::new(words).size(12.0).color(theme::of(ui).warning));
         });
     }
+    if let Some(map) = walk.blend_map() {
+        ui.add_space(4.0);
+        map.show(ui);
+    }
     tree_view::show(ui, walk);
 }
 

@@ -10,6 +10,8 @@ use rig::Side;
 const MOST: usize = 48;
 /// A foot that stands again within so far of its last print has not stepped, metres.
 const SAME_M: f64 = 0.03;
+/// What of a sole is so far above the ground juts out over an edge, metres.
+const OVER_M: f64 = 0.03;
 
 /// Where a sole stood.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,7 +44,10 @@ impl Prints {
             return;
         }
         let grounded = foot.sole_in_world.iter().zip(&foot.ground_under_sole);
-        let outline = outline(grounded.map(|(point, ground)| DVec3 { y: *ground, ..*point }).collect());
+        // Beyond an edge the print is where the sole is.
+        let height = |point: &DVec3, ground: f64| if point.y > ground + OVER_M { point.y } else { ground };
+        let points = grounded.map(|(point, ground)| DVec3 { y: height(point, *ground), ..*point });
+        let outline = outline(points.collect());
         if outline.len() < 3 || !outline.iter().all(|point| point.is_finite()) {
             return;
         }
@@ -59,6 +64,15 @@ impl Prints {
 
 fn middle(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len().max(1) as f64
+}
+
+/// An outline with its corners rounded off, for drawing.
+pub fn rounded(outline: &[DVec3]) -> Vec<DVec3> {
+    let cut = |points: &[DVec3]| -> Vec<DVec3> {
+        let next = points.iter().cycle().skip(1);
+        points.iter().zip(next).flat_map(|(a, b)| [a.lerp(*b, 0.25), a.lerp(*b, 0.75)]).collect()
+    };
+    cut(&cut(outline))
 }
 
 /// The corners of what encloses points seen from above, counter-clockwise about +Y.
@@ -90,7 +104,7 @@ mod tests {
 
     fn foot(stance: bool, z: f64) -> FootView {
         let sole_in_world: Vec<DVec3> = [(-0.04, 0.0), (0.04, 0.0), (0.0, 0.1), (0.05, 0.2), (-0.05, 0.2)]
-            .map(|(x, along)| DVec3::new(x, 0.3, z + along))
+            .map(|(x, along)| DVec3::new(x, 0.11, z + along))
             .into();
         let ground_under_sole = vec![0.1; sole_in_world.len()];
         FootView { stance, sole_in_world, ground_under_sole, ..FootView::default() }
