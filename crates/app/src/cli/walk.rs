@@ -120,15 +120,19 @@ pub fn walk(told: &WalkArguments) -> Result<(), Failure> {
     if let Some(count) = told.crowd {
         return crowd::walk(told, count);
     }
-    // What can't be drawn is said before anything is walked.
+    // What can't be drawn or written is said before anything is walked.
     if let Some(output) = &told.output {
         frames::check(told, output)?;
     }
+    if let Some(report) = &told.report {
+        record::check(report)?;
+    }
+    let ground = load::ground(&told.ground, told.seed)?;
     let figure = load::figure(told.figure.as_deref())?;
     let stroll = Stroll {
         tree: load::tree(&figure, told.tree.as_deref())?,
         figure,
-        ground: load::ground(&told.ground, told.seed)?,
+        ground,
         steering: told.steering(),
         steps: told.steps(),
         rate: told.rate,

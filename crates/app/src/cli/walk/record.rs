@@ -101,6 +101,15 @@ pub fn words(summary: &Summary) -> String {
     )
 }
 
+/// Whether a report can be written there.
+///
+/// # Errors
+/// It can't: why.
+pub fn check(to: &Path) -> Result<(), Failure> {
+    // What is begun and not finished leaves nothing.
+    if to == Path::new("-") { Ok(()) } else { Draft::begin(to).map(drop) }
+}
+
 /// Writes the report into a file, or to standard output for "-": a line for each step of time.
 ///
 /// # Errors
