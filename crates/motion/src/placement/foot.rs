@@ -55,6 +55,8 @@ pub(super) struct FootState {
     pub toes: Fade<f64>,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
     rise: Fade<f64>,
+    /// By how much toes that are up are down for the same, radians.
+    lower: Fade<f64>,
     haste: Haste,
     /// Where the foot was to be.
     placed: Frame,
@@ -267,12 +269,18 @@ impl Grip<'_> {
         sample: &mut Sample,
     ) -> bool {
         let needed = self.needed_rise(hips, target, bend, sample);
-        let quickness = if needed > state.rise.value { RISES } else { FALLS };
-        state.rise.follow(needed, quickness, dt_secs, dt_secs == 0.0);
+        // Toes that are up come down at once; a heel that is off the ground goes back to it slowly.
+        let at_once = dt_secs == 0.0;
+        let rolled = (needed - target.toes_up).max(0.0);
+        let quickness = if rolled > state.rise.value { RISES } else { FALLS };
+        state.rise.follow(rolled, quickness, dt_secs, at_once);
         state.rise.value = state.rise.value.max(0.0);
+        state.lower.follow(needed - rolled, RISES, dt_secs, at_once);
+        state.lower.value = state.lower.value.clamp(0.0, target.toes_up);
+        let rise = state.lower.value + state.rise.value;
         let leg = &self.footing.legs.sides[self.side];
         state.haste.see(leg, &sample.angles, dt_secs);
-        self.solve(hips, target, state.rise.value, bend, sample);
+        self.solve(hips, target, rise, bend, sample);
         state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
         let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
         let foot = &self.footing.feet[self.side];
