@@ -125,11 +125,11 @@ impl Ground {
 
     /// The ground under (or over) a place, `x` and `z` in metres, world: the highest where a mesh has several sheets.
     /// Off the edge of a mesh it is that of the nearest place within its bounds, and 0 where there is none. Numbers
-    /// that are none have level ground at 0.
+    /// that are none, and places a million kilometres away, have level ground at 0.
     pub fn under(&self, x: f64, z: f64) -> GroundPoint {
         match self {
             Ground::Flat => GroundPoint::level(0.0),
-            _ if !(x.is_finite() && z.is_finite()) => GroundPoint::level(0.0),
+            _ if !on_the_map(x, z) => GroundPoint::level(0.0),
             Ground::Slope(slope) => slope.under(x, z),
             Ground::Hills(hills) => hills.under(x, z),
             Ground::Stairs(stairs) => stairs.under(x, z),
@@ -141,7 +141,7 @@ impl Ground {
     /// As [`Ground::under`], but of a mesh's sheets the highest that is not above a height, metres, world.
     pub fn below(&self, x: f64, z: f64, height: f64) -> GroundPoint {
         match self {
-            Ground::Mesh(sheet) if x.is_finite() && z.is_finite() => sheet.under(x, z, height),
+            Ground::Mesh(sheet) if on_the_map(x, z) => sheet.under(x, z, height),
             _ => self.under(x, z),
         }
     }
@@ -155,6 +155,7 @@ impl Ground {
     pub fn height(&self, x: f64, z: f64) -> f64 {
         match self {
             Ground::Flat => 0.0,
+            _ if !on_the_map(x, z) => 0.0,
             Ground::Slope(slope) => slope.under(x, z).height,
             Ground::Hills(hills) => hills.height(x, z),
             _ => self.under(x, z).height,
@@ -167,6 +168,11 @@ impl Ground {
     pub fn patch(&self, center: DVec2, half_extent_m: f64) -> rig::Mesh {
         patch::patch(self, center, half_extent_m)
     }
+}
+
+/// Whether a place is near enough for numbers to tell it from the next.
+fn on_the_map(x: f64, z: f64) -> bool {
+    x.abs() < 1e9 && z.abs() < 1e9
 }
 
 /// A number in 0..1 that a seed and two whole numbers give, evenly spread.

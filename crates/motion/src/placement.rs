@@ -46,7 +46,7 @@ pub struct PlacementSettings {
 
 impl Default for PlacementSettings {
     fn default() -> PlacementSettings {
-        PlacementSettings { on: true, softness: 0.012, lean: 0.2, haste: 1.42 }
+        PlacementSettings { on: true, softness: 0.012, lean: 0.2, haste: 1.4 }
     }
 }
 
@@ -119,8 +119,7 @@ pub fn place_feet(
     let at_once = !state.begun || dt_secs == 0.0;
     let mut drop = 0.0;
     let mut soles = [true; 2];
-    let sound =
-        level.position.is_finite() && flat.iter().all(|f| f.position.is_finite() && f.rotation.is_finite());
+    let sound = near(level.position) && flat.iter().all(|f| near(f.position) && f.rotation.is_finite());
     if settings.on && sound {
         let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
         let going = Going::on(state.place, &level, dt_secs, at_once);
@@ -171,6 +170,11 @@ pub fn place_feet(
         let seen = Seen { flat: flat[side], drop, sole_is_down: soles[side] };
         view(footing, side, ground, &world_from_figure, sample, &seen, &mut views[side]);
     }
+}
+
+/// Whether a point is one with which to reckon.
+fn near(point: DVec3) -> bool {
+    point.is_finite() && point.abs().max_element() < 1e9
 }
 
 /// How the figure goes on.

@@ -154,7 +154,7 @@ impl FootState {
     pub fn step(&mut self, foot: &Foot, ground: &Ground, now: &Moment<'_>) -> Target {
         let flat = [foot.heel, foot.roll].map(|point| now.flat.point(point));
         let yaw = yaw(now.flat.rotation);
-        let holds = |bearing: f64| smooth(bearing, 0.0, HOLDS);
+        let holds = |bearing: f64| if bearing.is_nan() { 0.0 } else { smooth(bearing, 0.0, HOLDS) };
         let (heel, ball) = (holds(now.bearing.heel), holds(now.bearing.ball));
         if now.at_once {
             *self = FootState { flat, yaw, landing: self.landing, ..FootState::default() };

@@ -8,8 +8,8 @@ use super::footing::{Footing, foot_from_toes};
 use crate::{Ground, Sample};
 
 /// How quickly toes follow the ground while the ball holds, and go back when it doesn't, 1/s.
-const BENDS: f64 = 40.0;
-const STRAIGHTENS: f64 = 15.0;
+const BENDS: f64 = 30.0;
+const STRAIGHTENS: f64 = 12.0;
 /// Ground that is so far off the sole's plane bends the toes; from the second on it is a step, metres.
 const STEP_M: (f64, f64) = (0.03, 0.06);
 /// Rounds of Newton's rule; the second is below a tenth of a degree.
