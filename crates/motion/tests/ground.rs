@@ -82,9 +82,9 @@ fn stones_have_tops_and_gaps() {
         let tilt = point.normal.angle_between(DVec3::Y).to_degrees();
         assert!(tilt < 6.5 && point.height > -0.15 && point.height < 0.15, "{point:?}");
         if point.height == -0.14 {
-            gaps += 1
+            gaps += 1;
         } else {
-            tops += 1
+            tops += 1;
         }
         tilted += usize::from(tilt > 1.0);
     }

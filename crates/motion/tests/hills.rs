@@ -1,6 +1,6 @@
 //! The shipped walk over uneven ground: soles stand on it, don't slide, and no joint turns fast.
 
-#![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests may unwrap, and show what was measured
 
 mod figures;
 mod walking;
