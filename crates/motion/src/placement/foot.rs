@@ -268,6 +268,10 @@ impl Grip<'_> {
         dt_secs: f64,
         sample: &mut Sample,
     ) -> bool {
+        let leg = &self.footing.legs.sides[self.side];
+        state.haste.see(leg, &sample.angles, dt_secs);
+        let bones = leg.bones().map(rig::Bone::index);
+        let meant = bones.map(|bone| sample.angles[bone]);
         let needed = self.needed_rise(hips, target, bend, sample);
         // Toes that are up come down at once; a heel that is off the ground goes back to it slowly.
         let at_once = dt_secs == 0.0;
@@ -278,23 +282,25 @@ impl Grip<'_> {
         state.lower.follow(needed - rolled, RISES, dt_secs, at_once);
         state.lower.value = state.lower.value.clamp(0.0, target.toes_up);
         let rise = state.lower.value + state.rise.value;
-        let leg = &self.footing.legs.sides[self.side];
-        state.haste.see(leg, &sample.angles, dt_secs);
-        self.solve(hips, target, rise, bend, sample);
+        if needed > 0.0 || rise > 0.0 {
+            for (bone, angles) in bones.into_iter().zip(meant) {
+                sample.angles[bone] = angles;
+            }
+            self.solve(hips, target, rise, bend, sample);
+        }
         state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
         let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
         let foot = &self.footing.feet[self.side];
         [foot.heel, foot.ball].iter().all(|p| held.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
     }
 
-    /// The least angle by which the heel has to rise, radians.
-    fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, sample: &Sample) -> f64 {
+    /// The least angle by which the heel has to rise, radians; leaves the leg solved for it, or nearly so.
+    fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, tried: &mut Sample) -> f64 {
         let leg = &self.footing.legs.sides[self.side];
-        let mut tried = sample.clone();
         let hip = self.world_from_figure.point(leg.hip(hips));
         let may = REACH_RISE * target.rolls.max(target.ball);
         let mut rise = target.rise_to_reach(hip, self.settings.reach(leg, bend)).min(may);
-        let mut beyond = self.solve(hips, target, rise, bend, &mut tried) + RESERVE;
+        let mut beyond = self.solve(hips, target, rise, bend, tried) + RESERVE;
         if beyond <= 0.0 {
             return rise;
         }
@@ -302,7 +308,7 @@ impl Grip<'_> {
         let (mut low, mut low_beyond) = (rise, beyond);
         rise += 1.3 * beyond;
         for _ in 0..ROUNDS {
-            beyond = self.solve(hips, target, rise, bend, &mut tried) + RESERVE;
+            beyond = self.solve(hips, target, rise, bend, tried) + RESERVE;
             if beyond.abs() < NEAR || (beyond - low_beyond).abs() < 1e-9 {
                 break;
             }

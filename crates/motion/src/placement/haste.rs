@@ -16,6 +16,7 @@ const REMEMBERED_SECS: f64 = 6.0;
 pub(super) struct Haste {
     flat: [DQuat; 4],
     placed: [Angles; 3],
+    turned: [DQuat; 4],
     /// Of the motion, radians a second; the shank is the last.
     fastest: [f64; 4],
 }
@@ -53,6 +54,7 @@ impl Haste {
             self.held(leg, 2, &[2], times * dt_secs, angles);
         }
         self.placed = leg.bones().map(|bone| angles[bone.index()]);
+        self.turned = turns(leg, angles);
     }
 
     /// Holds one turn by the joints that make it, and says whether it had to.
@@ -64,16 +66,13 @@ impl Haste {
         secs: f64,
         angles: &mut [Angles; Bone::COUNT],
     ) -> bool {
-        let bones = leg.bones();
-        let mut before = *angles;
-        for (bone, placed) in bones.iter().zip(self.placed) {
-            before[bone.index()] = placed;
-        }
-        let turned = between(turns(leg, &before)[turn], turns(leg, angles)[turn]);
+        let turned = between(self.turned[turn], turns(leg, angles)[turn]);
         let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
         if turned > most {
-            for bone in joints.iter().map(|joint| bones[*joint].index()) {
-                angles[bone] = mixed(before[bone], angles[bone], most / turned);
+            let bones = leg.bones();
+            for &joint in joints {
+                let angles = &mut angles[bones[joint].index()];
+                *angles = mixed(self.placed[joint], *angles, most / turned);
             }
         }
         turned > most
