@@ -89,6 +89,7 @@ impl Desk {
     /// How well the last frame drew it.
     pub fn drawn_in(&self) -> Quality {
         match self {
+            Desk::Figure(session) if session.is_walking() => session.walk().picture.drawn_in(),
             Desk::Figure(session) => session.viewport.drawn_in(),
             Desk::Chain(session) => session.picture.drawn_in(),
         }
@@ -97,6 +98,7 @@ impl Desk {
     /// A frame in which it was drawn anew took so long.
     pub fn took(&mut self, now: f64, secs: f32) {
         match self {
+            Desk::Figure(session) if session.is_walking() => session.walk_mut().picture.took(now, secs),
             Desk::Figure(session) => session.viewport.took(now, secs),
             Desk::Chain(session) => session.picture.took(now, secs),
         }
