@@ -19,7 +19,7 @@ pub fn switch(ui: &mut Ui, walks: bool, keymap: &Keymap, asked: &mut Vec<Wish>) 
         ] {
             let button = Button::selectable(walks == walk, RichText::new(words));
             let tip = if keys.is_empty() { tip.to_owned() } else { format!("{tip} ({keys})") };
-            let response = ui.add(button).accessible_name(format!("{words} mode")).on_hover_text(tip);
+            let response = ui.add(button).accessible_name(format!("Mode: {words}")).on_hover_text(tip);
             if response.clicked() && walks != walk {
                 asked.push(Wish::Do(Action::Walk));
             }

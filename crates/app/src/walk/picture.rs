@@ -21,7 +21,7 @@ use crate::viewport::pace::{Pace, Quality};
 use crate::viewport::{Body, Part, Picture};
 
 /// The camera catches up with the walker's place within about so long, seconds.
-const LAG_SECS: f64 = 0.25;
+const LAG_SECS: f64 = 0.12;
 /// A walker that is farther off has been set down elsewhere: the camera goes there at once, metres.
 const FAR_M: f64 = 6.0;
 /// The line between the two pictures, points.
@@ -190,7 +190,7 @@ impl WalkPicture {
         let secs = f64::from(ui.input(|i| i.stable_dt)).min(0.1);
         let from = self.followed.filter(|from| from.distance(at) < FAR_M).unwrap_or(at);
         let share = 1.0 - (-secs / LAG_SECS).exp();
-        let slow = 1.0 - (-secs / (4.0 * LAG_SECS)).exp();
+        let slow = 1.0 - (-secs / (6.0 * LAG_SECS)).exp();
         let to = from + (at - from) * DVec3::new(share, slow, share);
         let jump =
             self.followed.map_or(DVec3::ZERO, |former| if from == at { at - former } else { to - from });
