@@ -53,7 +53,7 @@ fn varied(color: vec3<f32>, walker: u32) -> vec3<f32> {
     }
     let roll = rolled(walker);
     let hue = 0.5 + 0.5 * cos(6.2831853 * (roll.x + vec3(0.0, 0.33, 0.67)));
-    let tint = mix(vec3(1.0), 0.35 + 0.9 * hue, (0.15 + 0.65 * roll.y) * crowd.variety);
+    let tint = mix(vec3(1.0), 0.35 + 0.9 * hue, (0.08 + 0.42 * roll.y) * crowd.variety);
     return color * tint * mix(1.0, 0.55 + 0.75 * roll.z, crowd.variety);
 }
 

@@ -43,11 +43,12 @@ fn main() {
     };
     let full = option("--full", 1) != 0;
     let look = if full { Look::default() } else { Look::default().lean() };
-    let (mut steps, mut draws) = (Vec::new(), Vec::new());
+    let (mut steps, mut draws, mut cpus) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..option("--frames", 5) + 1 {
         let start = Instant::now();
         throng.step(1.0 / 60.0);
-        steps.push(start.elapsed());
+        steps.push(start.elapsed().as_secs_f64());
+        let cpu = cpu_secs();
         let crowds = throng.views(1);
         let ground = [Underfoot::view(0)];
         let scene = Scene { look, crowds: &crowds, ..Scene::new(&ground, camera, [1280, 800]) };
@@ -56,15 +57,24 @@ fn main() {
         renderer.draw(&mut encoder, &scene).unwrap();
         gpu.queue.submit([encoder.finish()]);
         gpu.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
-        draws.push(start.elapsed());
+        draws.push(start.elapsed().as_secs_f64());
+        cpus.push(cpu_secs() - cpu);
     }
-    let median = |times: &mut Vec<std::time::Duration>| {
+    let [step, draw, cpu] = [steps, draws, cpus].map(|mut times| {
         // The first frame makes pipelines and buffers.
         times.remove(0);
-        times.sort();
-        times[times.len() / 2].as_secs_f64() * 1e3
-    };
-    let (step, draw) = (median(&mut steps), median(&mut draws));
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2] * 1e3
+    });
     let stats = renderer.stats();
-    println!("{count} walkers: step {step:.2} ms, upload and draw {draw:.1} ms; {stats:?}");
+    println!("{count} walkers: step {step:.2} ms, upload and draw {draw:.0} ms, CPU {cpu:.0} ms; {stats:?}");
+}
+
+/// User and system time of this process so far; 0 where the system doesn't tell.
+fn cpu_secs() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let after_name = stat.rsplit(')').next().unwrap_or_default();
+    let ticks =
+        |n: usize| after_name.split_whitespace().nth(n).and_then(|w| w.parse::<f64>().ok()).unwrap_or(0.0);
+    (ticks(11) + ticks(12)) / 100.0
 }

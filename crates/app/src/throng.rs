@@ -23,8 +23,11 @@ const CELL_M: f32 = 0.125;
 const WARM_UP_SECS: f32 = 4.0;
 /// The step of time of the warming up, seconds.
 const WARM_UP_STEP_SECS: f32 = 1.0 / 20.0;
-/// Walkers differ in pace; times the clip's own.
-const PACES: [f32; 7] = [0.84, 0.90, 0.95, 1.0, 1.04, 1.09, 1.16];
+/// Walkers differ in pace; times the clip's own. As many walk at each as stand, or run at each of theirs.
+const PACES: &[f32] = &[0.84, 0.90, 0.95, 1.0, 1.04, 1.09, 1.16];
+const RUNNING_PACES: &[f32] = &[0.96];
+/// Whoever is faster runs, metres a second.
+const RUNNING_M_PER_SEC: f64 = 2.0;
 /// Slower clips are no gait to get along by, metres a second.
 const SLOWEST: f64 = 0.4;
 /// How many samples of a clip are kept a second.
@@ -193,7 +196,9 @@ fn gaits_of(clip: &FittedClip, figure: &Figure) -> Vec<Gait> {
         samples: samples(),
     };
     if clip.is_stride() && straight && ahead > SLOWEST {
-        return PACES.iter().map(|pace| gait(ahead * f64::from(*pace), length / f64::from(*pace))).collect();
+        let running = ahead / clip.pace() > RUNNING_M_PER_SEC;
+        let paces = if running { RUNNING_PACES } else { PACES };
+        return paces.iter().map(|pace| gait(ahead * f64::from(*pace), length / f64::from(*pace))).collect();
     }
     let stands = !clip.is_stride() && clip.loops() && straight && ahead.abs() < 0.01;
     stands.then(|| gait(0.0, length)).into_iter().collect()
