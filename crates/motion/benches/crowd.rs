@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Affine3A, DVec3, Quat, Vec3};
-use motion::crowd::{Crowd, CrowdFigure, Gait, Gaits, Heights, ROWS};
+use motion::crowd::{Company, Crowd, CrowdFigure, Gait, Gaits, Heights, ROWS};
 use motion::{Ground, Sample};
 use rig::{Angles, Bone, Figure};
 
@@ -33,6 +33,12 @@ fn crowd(c: &mut Criterion) {
     });
     group.bench_function("joints sampled", |b| b.iter(|| crowd.sample()));
     group.bench_function("whole step", |b| b.iter(|| crowd.step(black_box(&heights), 1.0 / 60.0)));
+    group.bench_function("whole step, going round each other", |b| {
+        b.iter(|| {
+            let company = Company::of(crowd.places(), heights.half());
+            crowd.step_among(&company, black_box(&heights), 1.0 / 60.0);
+        });
+    });
     let bones = Bones::any();
     let mut out = vec![Affine3A::IDENTITY; ROWS];
     group.bench_function("yardstick: matrices of one figure, plain", |b| {
