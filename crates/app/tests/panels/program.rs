@@ -472,7 +472,7 @@ fn acts(role: Role) -> bool {
 }
 
 /// Controls without a name, as their roles and places.
-fn unnamed(hand: &Hand) -> Vec<String> {
+pub fn unnamed(hand: &Hand) -> Vec<String> {
     let bare = |node: &Node<'_>| {
         let node = node.accesskit_node();
         acts(node.role()) && node.label().is_none_or(|label| label.trim().is_empty())

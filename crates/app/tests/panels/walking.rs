@@ -254,3 +254,38 @@ fn keys_of_the_walk_mean_nothing_while_the_window_poses() {
     set(&mut hand, crate::hand::ELBOW, 30.0);
     assert_eq!(steps(&hand), 1);
 }
+
+#[test]
+fn every_control_has_a_name_on_every_ground() {
+    let mut hand = walking(30.0);
+    for kind in GroundKind::ALL {
+        hand.state_mut().walk_mut().terrain.choice.kind = kind;
+        frames(&mut hand, 2);
+        let bare = crate::program::unnamed(&hand);
+        assert!(bare.is_empty(), "{kind:?}: {bare:?}");
+    }
+}
+
+#[test]
+fn a_child_walks_the_same_ground_and_its_pose_is_fitted_to_the_figure() {
+    let mut hand = walking(30.0);
+    hand.state_mut().walk_mut().let_walk(Some("child")).unwrap();
+    hand.state_mut().walk_mut().terrain.choice.kind = GroundKind::Hills;
+    hand.state_mut().walk_mut().steer.alone = true;
+    frames(&mut hand, 90);
+    assert!(place(&hand).z > 0.5);
+    let hips = hand.state().walk().hips().unwrap();
+    let ground = hand.state().walk().ground().under(hips.x, hips.z).height;
+    assert!(hips.y - ground < 0.75, "a child's hips are low: {}", hips.y - ground);
+    act(&mut hand, Action::TakePose);
+    hand.run();
+    let editor = hand.state().editor();
+    let hips = editor.evaluation().frames[rig::Bone::Hips].position;
+    let ground = hand.state().walk().ground().under(hips.x, hips.z).height;
+    assert!(
+        (0.75..1.1).contains(&(hips.y - ground)),
+        "and those of the figure are its own: {}",
+        hips.y - ground
+    );
+    assert!(hand.state().viewport.ground.is_some());
+}
