@@ -122,7 +122,7 @@ fn the_same_walk_gives_the_same_bytes() {
             "--report",
             text(&report),
             "-o",
-            &format!("{}/", text(&frames)),
+            text(&frames),
         ]);
         assert_eq!(code(&output), 0, "{}", said(&output));
         let pictures: Vec<Vec<u8>> =

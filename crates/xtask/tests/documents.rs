@@ -24,6 +24,18 @@ fn example_figures_load() {
 }
 
 #[test]
+fn example_clips_and_trees_are_read() {
+    let (clips, trees) = (examples("ron clip"), examples("ron blend"));
+    assert!(!clips.is_empty() && !trees.is_empty());
+    for text in clips {
+        motion::parse_clip(&text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+    }
+    for text in trees {
+        motion::parse_plan(&text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+    }
+}
+
+#[test]
 fn example_scripts_run() {
     for text in examples("ron script") {
         let script = edit::parse_script(&text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));

@@ -62,8 +62,8 @@ pub struct WalkArguments {
     /// summary is printed.
     #[arg(long, value_name = "JSON")]
     report: Option<PathBuf>,
-    /// Draws the walk: a folder/ or frame-%04d.png, or a .webp, .gif or .mp4 that moves.
-    #[arg(short, long, value_name = "OUT")]
+    /// Draws the walk: a folder or frame-%04d.png, or a .webp, .gif or .mp4 that moves.
+    #[arg(short, long, value_name = "OUT", value_parser = output)]
     output: Option<PathBuf>,
     /// Pictures a second, at most as many as there are steps of time.
     #[arg(long, default_value_t = 30, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=120))]
@@ -109,6 +109,12 @@ fn turn(text: &str) -> Result<f64, String> {
 fn seconds(text: &str) -> Result<f64, String> {
     let positive = within(text, "seconds", 0.0, LONGEST_SECS).ok().filter(|secs| *secs > 0.0);
     positive.ok_or_else(|| format!("expected seconds, more than 0 and at most {LONGEST_SECS}"))
+}
+
+/// A name without an ending is that of a folder: a walk has many pictures.
+fn output(text: &str) -> Result<PathBuf, std::convert::Infallible> {
+    let path = PathBuf::from(text);
+    Ok(if path.extension().is_none() { path.join("") } else { path })
 }
 
 /// Walks, then writes what is asked for.
