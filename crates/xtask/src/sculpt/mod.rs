@@ -39,9 +39,11 @@ mod relax;
 mod remesh;
 mod rings;
 mod shape;
+mod slice;
 mod stances;
 #[cfg(test)]
 mod sweep_tests;
+mod swelling;
 #[cfg(test)]
 mod target_tests;
 mod targets;

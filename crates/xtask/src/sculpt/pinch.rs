@@ -155,9 +155,35 @@ impl<'a> Pinches<'a> {
                 other[i] = moved(i, blends[i].plus(self.motion(&motions, bone, v as usize), STEP));
                 (self.seen(pinch.triangle, &other) - left) / STEP
             };
-            let own: Vec<(Bone, f64)> = bones(v as usize).into_iter().map(|b| (b, slope(b))).collect();
-            let mean = own.iter().map(|o| o.1).sum::<f64>() / own.len().max(1) as f64;
-            all.extend(own.into_iter().map(|(bone, slope)| (v, bone, slope - mean)));
+            all.extend(centred(v, bones(v as usize).into_iter().map(|b| (b, slope(b))).collect()));
+        }
+        all
+    }
+
+    /// Where a pose takes each vertex of a weighted mesh.
+    pub fn posed(&self, mesh: &Mesh, palette: &Palette) -> Vec<DVec3> {
+        let motions = motions(palette);
+        let place = |v: usize| Pinches::blend(mesh, &motions, v).moved(self.half.points[v], DVec3::Y).point;
+        (0..self.half.points.len()).map(place).collect()
+    }
+
+    /// How far the shares of vertices drive them along what pulls each of them: vertex, bone, slope, as [`Pinches::slopes`].
+    pub fn drifts(
+        &self,
+        mesh: &Mesh,
+        palette: &Palette,
+        pulls: &[(u32, DVec3)],
+        bones: impl Fn(usize) -> Vec<Bone>,
+    ) -> Vec<(u32, Bone, f64)> {
+        let motions = motions(palette);
+        let mut all = Vec::new();
+        for &(vertex, pull) in pulls {
+            let v = vertex as usize;
+            let blend = Pinches::blend(mesh, &motions, v);
+            let along = |blend: Motion| blend.moved(self.half.points[v], self.normals[v]).point.dot(pull);
+            let slope =
+                |bone: Bone| (along(blend.plus(self.motion(&motions, bone, v), STEP)) - along(blend)) / STEP;
+            all.extend(centred(vertex, bones(v).into_iter().map(|b| (b, slope(b))).collect()));
         }
         all
     }
@@ -171,6 +197,12 @@ impl<'a> Pinches<'a> {
             }
         }
     }
+}
+
+/// A vertex's slopes without their mean: what one bone's share gains the others lose.
+fn centred(v: u32, slopes: Vec<(Bone, f64)>) -> impl Iterator<Item = (u32, Bone, f64)> {
+    let mean = slopes.iter().map(|o| o.1).sum::<f64>() / slopes.len().max(1) as f64;
+    slopes.into_iter().map(move |(bone, slope)| (v, bone, slope - mean))
 }
 
 fn motions(palette: &Palette) -> Vec<Motion> {

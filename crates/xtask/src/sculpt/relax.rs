@@ -1,5 +1,6 @@
 //! Mends weights: poses the half mesh at the ends of its ranges and as the shipped poses have it, and changes the
-//! weights as little and as smoothly as will do wherever a triangle is turned inside out or nearly so.
+//! weights as little and as smoothly as will do wherever a triangle is turned inside out or nearly so,
+//! or a thigh swells.
 
 use glam::DVec3;
 use rig::{Bone, Mesh, Skeleton, bone_of_place, spread_twist};
@@ -10,6 +11,7 @@ use super::least_change::{Row, least_change};
 use super::nets::Surface;
 use super::pinch::{Pinch, Pinches};
 use super::rings::Rings;
+use super::swelling::Swellings;
 use super::trials::{Trial, trials};
 use super::weights::{Shares, rounded};
 
@@ -78,7 +80,8 @@ pub fn relax(
     // A triangle of a crease that lies askew at rest is none of a weight's business.
     let mut upright = vec![true; half.triangles.len()];
     askew(&mesh).into_iter().for_each(|t| upright[t] = false);
-    let mut best = (usize::MAX, shares.to_vec(), Vec::new(), 0);
+    let swellings = Swellings::new(&mesh, skeleton);
+    let mut best = ((usize::MAX, f64::MAX), shares.to_vec(), Vec::new(), 0);
     let mut open: Vec<usize> = (0..trials.len()).collect();
     for round in 0..ROUNDS {
         dress(&mut mesh, half, skeleton, shares);
@@ -87,15 +90,21 @@ pub fn relax(
         found.retain(|p| upright[p.triangle as usize]);
         let turned: Vec<Pinch> = found.iter().filter(|p| p.left < TURNED).copied().collect();
         let all = open.len() == trials.len();
-        if all && turned.len() < best.0 {
-            best = (turned.len(), shares.to_vec(), turned.clone(), round);
+        let swollen = swellings.find(&pinches, &mesh, &trials);
+        let excess = swollen.iter().map(|s| s.excess.abs()).fold(0.0, f64::max);
+        if all && (turned.len(), excess) < best.0 {
+            best = ((turned.len(), excess), shares.to_vec(), turned.clone(), round);
         }
-        if all && turned.is_empty() {
+        if all && turned.is_empty() && swollen.is_empty() {
             break;
         }
         let again = round % AGAIN == AGAIN - 2 || turned.is_empty();
         open = if again { (0..trials.len()).collect() } else { with_pinches(&found) };
-        let rows = rows(&pinches, &mesh, &trials, &worst(found), &rings, shares);
+        let mut rows = rows(&pinches, &mesh, &trials, &worst(found), &rings, shares);
+        rows.extend(swollen.iter().map(|swelling| {
+            let palette = &trials[swelling.pose].palette;
+            swellings.row(swelling, &pinches, &mesh, palette, |v| rings.bones_near(v, shares, NEAR))
+        }));
         let change = least_change(&rows, &rings, &held, SMOOTH);
         apply(&rings, change, shares);
     }
