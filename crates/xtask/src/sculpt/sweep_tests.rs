@@ -21,6 +21,8 @@ const VOLUME: f64 = 0.08;
 /// twisted and raised thighs leave it no shorter way; that much stays behind where legs spread wide. Weights that keep it
 /// within the former do exist, but they dent the thigh in front and behind as much as the web swells.
 const THIGH_VOLUME: f64 = 0.21;
+/// The same from above the crotch on, where the slice holds half of the web between the thighs: that much it may swell.
+const CROTCH_VOLUME: f64 = 0.52;
 /// How far parts may part that touch at rest, metres.
 const GAP_M: f32 = 0.001;
 const REST: [Angles; Bone::COUNT] = [Angles::REST; Bone::COUNT];
@@ -95,9 +97,12 @@ fn limbs_keep_their_volume() {
     let skeleton = &figure().skeleton;
     let rest = skin_positions(skin(), &Palette::REST);
     let mut faults = Vec::new();
-    for (bone, next, start, bound) in [
+    // Where from, and how much it may swell; none may lose more than `VOLUME`.
+    for (bone, next, start, swelling) in [
         (Bone::LeftUpperArm, Bone::LeftLowerArm, 0.15, VOLUME),
         (Bone::LeftLowerArm, Bone::LeftHand, 0.15, VOLUME),
+        // The middle 70 % from hip to knee; the crotch lies at 23 % of the way.
+        (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.15, CROTCH_VOLUME),
         // Above this the thighs are not apart.
         (Bone::LeftUpperLeg, Bone::LeftLowerLeg, 0.28, THIGH_VOLUME),
         // The middle 70 % between crotch and knee, and what is below all skin of the groin.
@@ -119,7 +124,7 @@ fn limbs_keep_their_volume() {
                     continue;
                 };
                 let part = slice.volume(in_place(&skin_positions(skin(), &palette))) / at_rest - 1.0;
-                if part.abs() > bound {
+                if part < -VOLUME || part > swelling {
                     faults.push(format!("{name}: {:+.1} %", 100.0 * part));
                 }
             }
