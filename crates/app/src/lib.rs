@@ -41,5 +41,5 @@ pub use session::{Session, Status};
 pub use settings::{ConfigFolder, Look, Settings};
 pub use theme::apply as apply_theme;
 pub use toolbar::Acting;
-pub use walk::{GroundKind, Mark, Walk};
 pub use viewport::{Body, Guide, Guides, Viewport, install as install_picture};
+pub use walk::{GroundKind, Mark, Walk};

@@ -166,7 +166,8 @@ pub fn editor(figure: &Arc<Figure>, path: &Path) -> Result<Editor, Failure> {
             return Ok(Editor::in_pose(figure.clone(), pose_at(figure, &clip, 0.0)));
         }
         Kind::Blend | Kind::Chain | Kind::Urdf | Kind::Glb => {
-            let message = "this shows no posed figure; give a .pose.ron, .script.ron, .clip.ron or .figure.ron file";
+            let message =
+                "this shows no posed figure; give a .pose.ron, .script.ron, .clip.ron or .figure.ron file";
             return Err(Failure::Input(format!("{}: {message}", path.display())));
         }
     }

@@ -32,17 +32,17 @@ use crate::picture::{Subject, Underfoot};
 use blend_map::BlendMap;
 use cast::Cast;
 pub use clock::{Clock, Motion, STEP_SECS};
-pub use marks::{Mark, Marks};
 pub use keys::wish;
+pub use marks::{Mark, Marks};
 pub use panel::{Asked, show as panel};
 pub use picture::WalkPicture;
 use picture::{Figured, Shown};
-use standing::Standings;
 use stage::{Moment, Stage, frames_of};
+use standing::Standings;
 pub use steer::{Steer, Wish};
 pub use terrain::{Kind as GroundKind, Terrain, is_ground};
-pub use tree_file::is_tree;
 use tree_file::TreeFile;
+pub use tree_file::is_tree;
 
 /// The walk of a window's figure.
 #[derive(Default)]

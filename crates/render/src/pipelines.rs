@@ -1,7 +1,7 @@
 //! Pipelines, each made from its recipe when first used, and kept.
 
-use std::sync::OnceLock;
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 use crate::layouts::Layouts;
 use crate::recipe::{Draw, Groups, Recipe, Source};

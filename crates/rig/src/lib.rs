@@ -79,9 +79,7 @@ pub use skeleton::{Skeleton, SkeletonError};
 pub use skin::{skin_normals, skin_position, skin_positions};
 pub use skin_bounds::SkinBounds;
 pub use support::{Falls, Support, support};
-pub use text::{
-    AnglesText, Number, PlaceText, TextFault, Triple, check_version, from_ron, ron_options,
-};
+pub use text::{AnglesText, Number, PlaceText, TextFault, Triple, check_version, from_ron, ron_options};
 pub use torso::{aim_spine, look_at, spine_twist};
 pub use turn::{Moved, Slider, live_range, sliders, turn};
 pub use turn_in_contact::{contact_joint, turn_in_contact};

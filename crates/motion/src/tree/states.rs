@@ -53,9 +53,9 @@ impl Machine {
         self.feather = feather;
     }
 
-    /// Goes on. With u the part of the transition that has passed and s the feather curve, w = (1 − s(u)) (w₀
-    /// + r₀ τ) + s(u) e, where e is 1 for the state that it goes to, w₀ and r₀ are the first weights and
-    /// rates, and τ grows at first as time does and comes to rest at half the horizon. So values and rates go
+    /// Goes on. With u the part of the transition that has passed and s the feather curve, the weights are
+    /// (1 − s(u)) (w₀ + τ r₀) + s(u) e, where e is 1 for the state that it goes to, w₀ and r₀ are the first weights
+    /// and rates, and τ grows at first as time does and comes to rest at half the horizon. So values and rates go
     /// on without a jump, no weight falls below 0, and the sum stays 1, as the sum of rates is 0.
     pub(super) fn go_on(&mut self, dt_secs: f64) {
         if self.secs == 0.0 {
