@@ -29,6 +29,7 @@ pub use stand::stand;
 
 use fade::Fade;
 use foot::FootState;
+use landing::Landing;
 
 /// How feet are placed.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
@@ -73,6 +74,23 @@ pub struct FeetState {
     lean: Fade<f64>,
     place: Place,
     begun: bool,
+    /// Whether it has gone on since.
+    going: bool,
+}
+
+impl FeetState {
+    /// Where feet will come down that have not yet: as the other did, or as far ahead as one is when the figure sets off.
+    fn foresee(&mut self, footing: &Footing, now: &[foot::Moment<'_>; 2], speed: f64) {
+        let [left, right] = &mut self.feet;
+        if self.begun && !self.going {
+            let touches = [0, 1].map(|side| now[side].touch(&footing.feet[side]));
+            Landing::guess([&mut left.landing, &mut right.landing], touches, speed);
+        }
+        self.going = self.begun;
+        let before = left.landing;
+        left.landing.learn(&right.landing);
+        right.landing.learn(&before);
+    }
 }
 
 /// A foot as it was placed.
@@ -125,9 +143,9 @@ pub fn place_feet(
         let going = Going::on(state.place, &level, dt_secs, at_once);
         let after = |secs: f64| going.after(secs);
         state.place = level;
-        let targets = [0, 1].map(|side| {
+        let moments = [0, 1].map(|side| {
             let leg = &footing.legs.sides[side];
-            let now = foot::Moment {
+            foot::Moment {
                 flat: flat[side],
                 bearing: sample.bearing[side],
                 world_from_figure: &world_from_figure,
@@ -136,9 +154,10 @@ pub fn place_feet(
                 dt_secs,
                 at_once,
                 after: &after,
-            };
-            state.feet[side].step(&footing.feet[side], ground, &now)
+            }
         });
+        state.foresee(footing, &moments, going.velocity.length());
+        let targets = [0, 1].map(|side| state.feet[side].step(&footing.feet[side], ground, &moments[side]));
         let around = hips::around(&world_from_figure, sample, &targets);
         let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
         drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);

@@ -50,7 +50,7 @@ pub(super) struct FootState {
     /// The motion's heel and place of roll, and its yaw.
     flat: [DVec3; 2],
     yaw: f64,
-    landing: Landing,
+    pub landing: Landing,
     /// What the toes are bent beyond the motion's, degrees.
     pub toes: Fade<f64>,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
@@ -80,7 +80,7 @@ pub(super) struct Moment<'a> {
 }
 
 impl Moment<'_> {
-    fn touch(&self, foot: &Foot) -> Touch {
+    pub fn touch(&self, foot: &Foot) -> Touch {
         let flat = self.world_from_figure.inverse().then(self.flat);
         Touch {
             ankle: flat.position,
@@ -171,7 +171,7 @@ impl FootState {
         let turned = DQuat::from_rotation_y(yaw + self.slip.value.y);
         let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
         let fitted = Plane::under(ground, at, &print);
-        let fitted = coming.map_or(fitted, |coming| coming.on_the_way(foot, ground, fitted));
+        let fitted = coming.map_or(fitted, |coming| coming.on_the_way(fitted));
         self.settle(fitted, if now.at_once { 0.0 } else { ball }, now.dt_secs);
         let plane = self.plane;
         let normal = plane.normal();

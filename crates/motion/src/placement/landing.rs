@@ -11,17 +11,25 @@ use crate::{Ground, Sole};
 /// Swings are at least that long, seconds.
 const SHORTEST_SECS: f64 = 0.1;
 
-/// When it is settled where a foot comes down: the share of its swing.
-const SETTLED: f64 = 0.1;
 /// How far from where the motion has it a foot may come down, in steps: along its way and aside.
 const SHIFTS: i32 = 10;
-const SHIFTS_ASIDE: i32 = 3;
+const SHIFTS_ASIDE: i32 = 5;
 const SHIFT_STEP_M: f64 = 0.02;
+/// Room that a foot that comes down leaves before its toes, behind its heel and beside it where the ground is higher, metres.
+const ROOM_M: [f64; 3] = [0.045, 0.025, 0.02];
 /// How much earlier a foot is lifted on a slope of 45 degrees, metres, and in which part of its swing.
 const EARLY_M: f64 = 0.25;
 const EARLY: (f64, f64) = (0.05, 0.9);
 /// Pieces of a foot's way in which the ground under it is looked at.
-const KNOTS: usize = 16;
+const KNOTS: usize = 24;
+/// How far a sole passes above steps, metres.
+const CLEARS_M: f64 = 0.02;
+/// A landing that comes out farther from where it was thought has the ground looked at again, metres.
+const ELSEWHERE_M: f64 = 0.03;
+/// Feet that are less far before the hip than this, metres, are not on a stride; and how long a swing is, as a multiple of
+/// the time in which the hip goes that far.
+const STRIDE_M: f64 = 0.12;
+const SWING: f64 = 1.3;
 
 /// What a foot remembers of coming down, in figure space over flat ground.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -34,8 +42,20 @@ pub(super) struct Landing {
     down: bool,
     /// The plane that it last stood on.
     from: Plane,
-    /// How far from where the motion has it the foot is to come down, once that is settled, metres.
-    shift: Option<DVec2>,
+    /// The way of this swing, once it is settled.
+    way: Option<Way>,
+}
+
+/// The ground on a foot's way, with steps.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Way {
+    /// From where, to where the motion has it come down, metres.
+    from: DVec2,
+    to: DVec2,
+    /// How far from there the foot is to come down, metres.
+    shift: DVec2,
+    /// The highest ground under the sole with its place of roll at each knot between.
+    tops: [f64; KNOTS + 1],
 }
 
 /// A foot at the moment when it comes down, in figure space over flat ground.
@@ -67,6 +87,8 @@ pub(super) struct Coming {
     pub hips: DVec2,
     /// How far the hips may be above their height over flat ground then, metres.
     pub highest: f64,
+    /// The ground on the way there, if it has steps.
+    way: Option<Way>,
 }
 
 impl Landing {
@@ -88,30 +110,49 @@ impl Landing {
             self.swing_secs = self.aloft_secs;
         }
         if down {
-            (self.from, self.shift) = (plane, None);
+            (self.from, self.way) = (plane, None);
         }
         self.aloft_secs = if down { 0.0 } else { self.aloft_secs + dt_secs };
         self.down = down;
     }
 
-    /// The landing to come, if the foot swings and has come down before. `world_from_figure` is where the figure is, and
-    /// `after` where it would be so many seconds from now.
+    /// What a foot that has not come down yet learns from the other, which has.
+    pub fn learn(&mut self, other: &Landing) {
+        if let (None, Some(touch)) = (self.touch, other.touch) {
+            (self.touch, self.swing_secs) = (Some(touch.mirrored()), other.swing_secs);
+        }
+    }
+
+    /// What both feet take for their landings before any came down, from where the one before the hips is: `touches` are
+    /// where they are now, `speed` is how fast the figure goes, metres a second.
+    pub fn guess(landings: [&mut Landing; 2], touches: [Touch; 2], speed: f64) {
+        let ahead = touches.map(|touch| touch.ankle.z - touch.hip.z);
+        let before = usize::from(ahead[1] > ahead[0]);
+        if ahead[before] < STRIDE_M || speed < STRIDE_M {
+            return;
+        }
+        for (side, landing) in landings.into_iter().enumerate() {
+            let touch = if side == before { touches[side] } else { touches[before].mirrored() };
+            (landing.touch, landing.swing_secs) = (Some(touch), SWING * ahead[before] / speed);
+        }
+    }
+
+    /// The landing to come, if the foot swings and it is known where it comes down. `world_from_figure` is where the figure
+    /// is `after` so many seconds from now.
     pub fn coming(&mut self, foot: &Foot, ground: &Ground, after: impl Fn(f64) -> Frame) -> Option<Coming> {
         let touch = self.touch.filter(|_| !self.down)?;
         let world_from_figure = after((self.swing_secs - self.aloft_secs).max(0.0));
         let roll = world_from_figure.point(touch.roll);
         let progress = (self.aloft_secs / self.swing_secs).min(1.0);
         let heading = world_from_figure.rotation * DQuat::from_rotation_y(touch.yaw);
-        let print = foot.print.map(|point| level(heading * (point - foot.roll)));
-        if self.shift.is_none() && progress > SETTLED {
-            let along = (level(roll) - self.from.at).normalize_or_zero();
-            let sole = foot.sole.map(|point| level(heading * (point - foot.roll)));
-            let steps = ground.has_steps();
-            self.shift = Some(if steps { shift(ground, level(roll), along, &sole) } else { DVec2::ZERO });
+        let turned = |point: DVec3| level(heading * (point - foot.roll));
+        if ground.has_steps() && self.way.is_none_or(|way| way.to.distance(level(roll)) > ELSEWHERE_M) {
+            self.way = Some(Way::new(foot, ground, self.from, level(roll), &foot.sole.map(turned)));
         }
-        let shift = self.shift.unwrap_or_default();
+        // The place stays that which was chosen, though the figure's way there changes a little.
+        let shift = self.way.map_or(DVec2::ZERO, |way| way.to + way.shift - level(roll));
         let roll = roll + DVec3::new(shift.x, 0.0, shift.y);
-        let plane = Plane::under(ground, level(roll), &print.map(|off| level(roll) + off));
+        let plane = Plane::under(ground, level(roll), &foot.print.map(|point| level(roll) + turned(point)));
         let tilt = DQuat::from_rotation_arc(DVec3::Y, plane.normal());
         let ankle = DVec3::new(roll.x, plane.height + roll.y, roll.z)
             + tilt * (world_from_figure.rotation * (touch.ankle - touch.roll));
@@ -119,22 +160,84 @@ impl Landing {
         let away = level(hip - ankle).length_squared();
         let highest = ankle.y + (touch.reach * touch.reach - away).max(0.0).sqrt() - hip.y;
         let hips = level(world_from_figure.point(DVec3::new(0.0, 0.0, touch.hip.z)));
-        Some(Coming { progress, from: self.from, plane, shift, hips, highest })
+        Some(Coming { progress, from: self.from, plane, shift, hips, highest, way: self.way })
+    }
+}
+
+impl Touch {
+    fn mirrored(self) -> Touch {
+        let flip = |p: DVec3| DVec3::new(-p.x, p.y, p.z);
+        Touch { ankle: flip(self.ankle), roll: flip(self.roll), hip: flip(self.hip), yaw: -self.yaw, ..self }
+    }
+}
+
+impl Way {
+    /// From the plane that a foot leaves to a place where the motion has it come down; `sole` is about it.
+    fn new(foot: &Foot, ground: &Ground, from: Plane, to: DVec2, sole: &[DVec2; Sole::COUNT]) -> Way {
+        let along = (to - from.at).normalize_or_zero();
+        let shift = shift(ground, to, along, sole);
+        let mut way = Way { from: from.at, to, shift, tops: [from.height; KNOTS + 1] };
+        let (length, along) = way.length_along();
+        let (behind, before) = foot.extent();
+        let aside = 0.5 * foot.print[2].distance(foot.print[3]) * along.perp();
+        // The highest of the ground across the foot's way, piece by piece, then over the sole's length.
+        let piece = length.max(0.05) / KNOTS as f64;
+        let reach = |extent: f64| (extent / piece).ceil().min(KNOTS as f64) as isize;
+        let (behind, before) = (reach(behind), reach(before));
+        let across = |i: isize| {
+            let at = way.from + along * (i as f64 * piece);
+            [-1.0, 0.0, 1.0].map(|k| at + aside * k).map(|p| ground.height(p.x, p.y)).into_iter().fold(f64::MIN, f64::max)
+        };
+        let mut heights = [0.0; 3 * KNOTS + 1];
+        for i in -behind..=KNOTS as isize + before {
+            heights[(i + KNOTS as isize) as usize] = across(i);
+        }
+        for i in 0..=KNOTS as isize {
+            let under = (i - behind + KNOTS as isize) as usize..=(i + before + KNOTS as isize) as usize;
+            way.tops[i as usize] = heights[under].iter().copied().fold(f64::MIN, f64::max);
+        }
+        way
+    }
+
+    /// How far it is, metres, and which way.
+    fn length_along(&self) -> (f64, DVec2) {
+        let way = self.to + self.shift - self.from;
+        (way.length(), way.normalize_or_zero())
+    }
+
+    /// The height of a string, taut over all that the sole passes, with the foot's place of roll at a place.
+    fn string(&self, from: f64, to: f64, at: DVec2) -> f64 {
+        let (length, along) = self.length_along();
+        if length < 0.05 {
+            return to;
+        }
+        let now = ((at - self.from).dot(along) / length).clamp(0.0, 1.0) * KNOTS as f64;
+        let mut heights = self.tops.map(|top| if top > from.min(to) + CLEARS_M { top + CLEARS_M } else { top });
+        (heights[0], heights[KNOTS]) = (from, to);
+        let mut taut = f64::NEG_INFINITY;
+        for i in (0..=KNOTS).filter(|i| *i as f64 <= now) {
+            for j in (0..=KNOTS).filter(|j| *j as f64 >= now) {
+                let share = if i == j { 0.0 } else { (now - i as f64) / (j - i) as f64 };
+                taut = taut.max(heights[i] + share * (heights[j] - heights[i]));
+            }
+        }
+        taut
     }
 }
 
 impl Coming {
     /// The plane for a foot on its way at a place: it turns evenly from the one to the other. Over ground with steps it
     /// is as high as a string that is taut over all that the sole passes.
-    pub fn on_the_way(&self, foot: &Foot, ground: &Ground, fitted: Plane) -> Plane {
+    pub fn on_the_way(&self, fitted: Plane) -> Plane {
         let turned = smooth(self.progress, 0.0, 0.9);
         let gradient = self.from.gradient.lerp(self.plane.gradient, turned);
         let near = smooth(self.progress, 0.8, 1.0);
         let gradient = gradient.lerp(fitted.gradient, near);
-        if !ground.has_steps() {
-            return Plane { gradient, height: fitted.height + self.early(), at: fitted.at };
-        }
-        Plane { gradient, height: self.string(foot, ground, fitted.at), at: fitted.at }
+        let height = match self.way {
+            Some(way) => way.string(self.from.height, self.plane.height, fitted.at),
+            None => fitted.height + self.early(),
+        };
+        Plane { gradient, height, at: fitted.at }
     }
 
     /// Uphill the foot is lifted early, or the thigh would have to come up fast in the second half of the swing, metres.
@@ -144,56 +247,37 @@ impl Coming {
         let part = ((self.progress - EARLY.0) / (EARLY.1 - EARLY.0)).clamp(0.0, 1.0);
         EARLY_M * rise * (part * std::f64::consts::PI).sin().powi(2)
     }
-
-    fn string(&self, foot: &Foot, ground: &Ground, at: DVec2) -> f64 {
-        let way = self.plane.at - self.from.at;
-        let length = way.length();
-        if length < 0.05 {
-            return self.plane.height;
-        }
-        let along = way / length;
-        let now = (at - self.from.at).dot(along).clamp(0.0, length);
-        let (behind, before) = foot.extent();
-        let height = |s: f64| {
-            let p = self.from.at + along * s;
-            ground.height(p.x, p.y)
-        };
-        let knot = |i: usize| length * i as f64 / KNOTS as f64;
-        // The highest ground under the sole with the place of roll at each knot.
-        let mut heights = [0.0; KNOTS + 1];
-        for (i, top) in heights.iter_mut().enumerate() {
-            let s = knot(i);
-            *top = [-behind, -0.5 * behind, 0.0, 0.5 * before, before]
-                .map(|off| height(s + off))
-                .into_iter()
-                .fold(f64::NEG_INFINITY, f64::max);
-        }
-        (heights[0], heights[KNOTS]) = (self.from.height, self.plane.height);
-        let mut taut = f64::NEG_INFINITY;
-        for i in (0..=KNOTS).filter(|i| knot(*i) <= now) {
-            for j in (0..=KNOTS).filter(|j| knot(*j) >= now) {
-                let share = if i == j { 0.0 } else { (now - knot(i)) / (knot(j) - knot(i)) };
-                taut = taut.max(heights[i] + share * (heights[j] - heights[i]));
-            }
-        }
-        taut
-    }
 }
 
 /// How far from a place a foot is to come down so that its whole sole is carried; else as much of it as can be.
 fn shift(ground: &Ground, at: DVec2, along: DVec2, sole: &[DVec2; Sole::COUNT]) -> DVec2 {
-    let mut best = (f64::NEG_INFINITY, DVec2::ZERO);
-    for step in -SHIFTS..=SHIFTS {
-        for aside in -SHIFTS_ASIDE..=SHIFTS_ASIDE {
-            let off = (along * f64::from(step) + along.perp() * f64::from(aside)) * SHIFT_STEP_M;
-            // A point more that is carried is worth its way; the foot rather stays where it is.
-            let found = Plane::carried(ground, at + off, &sole.map(|p| at + off + p)) - 0.3 * off.length();
-            if found > best.0 {
-                best = (found, off);
+    let tip = sole[Sole::TOES] + along * ROOM_M[0];
+    let heel = sole[Sole::HEEL] - along * ROOM_M[1];
+    let aside = |i: usize| sole[i] + along.perp() * along.perp().dot(sole[i] - sole[i - i % 3]).signum() * ROOM_M[2];
+    let room = [tip, heel, aside(1), aside(2), aside(4), aside(5), aside(7), aside(8)];
+    // A point more that is carried is worth its way; the foot rather stays where it is.
+    let worth = |off: DVec2| {
+        let at = at + off;
+        Plane::carried(ground, at, &sole.map(|p| at + p), &room.map(|p| at + p)) - 0.3 * off.length()
+    };
+    let mut best = (worth(DVec2::ZERO), DVec2::ZERO);
+    if best.0 > 0.999 {
+        return DVec2::ZERO;
+    }
+    let mut look = |along_steps: [i32; 2], aside_steps: [i32; 2], by: usize, about: DVec2| {
+        for step in (along_steps[0]..=along_steps[1]).step_by(by) {
+            for aside in (aside_steps[0]..=aside_steps[1]).step_by(by) {
+                let off = about + (along * f64::from(step) + along.perp() * f64::from(aside)) * SHIFT_STEP_M;
+                let found = worth(off);
+                if found > best.0 {
+                    best = (found, off);
+                }
             }
         }
-    }
-    best.1
+        best
+    };
+    let (_, about) = look([-SHIFTS, SHIFTS], [-SHIFTS_ASIDE + 1, SHIFTS_ASIDE - 1], 2, DVec2::ZERO);
+    look([-1, 1], [-1, 1], 1, about).1
 }
 
 fn level(point: DVec3) -> DVec2 {

@@ -53,9 +53,16 @@ impl Plane {
         Plane { at, height: fit.x, gradient: DVec2::new(fit.y, fit.z).clamp_length_max(STEEPEST) }
     }
 
-    /// The share of a sole's points that the ground would carry, 0 to 1.
-    pub fn carried<const N: usize>(ground: &Ground, at: DVec2, points: &[DVec2; N]) -> f64 {
+    /// The share of a sole's points that the ground would carry, 0 to 1; ground at places around it that is higher
+    /// doesn't let it down.
+    pub fn carried<const N: usize, const M: usize>(
+        ground: &Ground,
+        at: DVec2,
+        points: &[DVec2; N],
+        around: &[DVec2; M],
+    ) -> f64 {
         let (samples, highest) = samples(ground, at, points);
+        let highest = around.iter().map(|p| ground.height(p.x, p.y)).fold(highest, f64::max);
         let carried = samples.iter().map(|s| carries(highest - (s.height - s.gradient.dot(s.off))));
         carried.sum::<f64>() / N as f64
     }
