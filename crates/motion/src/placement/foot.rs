@@ -82,11 +82,14 @@ pub(super) struct Moment<'a> {
 impl Moment<'_> {
     pub fn touch(&self, foot: &Foot) -> Touch {
         let flat = self.world_from_figure.inverse().then(self.flat);
+        let yaw = yaw(flat.rotation);
+        // The sole comes down about the heel.
+        let roll = flat.point(foot.heel) + DQuat::from_rotation_y(yaw) * (foot.roll - foot.heel);
         Touch {
             ankle: flat.position,
-            roll: flat.point(foot.roll),
+            roll: DVec3::new(roll.x, flat.point(foot.roll).y, roll.z),
             hip: self.hip,
-            yaw: yaw(flat.rotation),
+            yaw,
             reach: self.reach,
         }
     }
@@ -159,8 +162,7 @@ impl FootState {
         if now.at_once {
             *self = FootState { flat, yaw, landing: self.landing, ..FootState::default() };
         }
-        let touch = || now.touch(foot);
-        self.landing.step(heel.max(ball), self.plane, touch, now.dt_secs, now.at_once);
+        self.landing.step(heel.max(ball), ball, self.plane, now, foot);
         let coming = self.landing.coming(foot, ground, now.after);
         self.turn_about(foot, heel > ball);
         let part = usize::from(!self.on_heel);

@@ -4,6 +4,7 @@ use glam::{DQuat, DVec2, DVec3};
 use rig::Frame;
 
 use super::fade::smooth;
+use super::foot::Moment;
 use super::footing::Foot;
 use super::plane::Plane;
 use crate::{Ground, Sole};
@@ -29,12 +30,16 @@ const ELSEWHERE_M: f64 = 0.03;
 /// Feet that are less far before the hip than this, metres, are not on a stride; and how long a swing is, as a multiple of
 /// the time in which the hip goes that far.
 const STRIDE_M: f64 = 0.12;
-const SWING: f64 = 1.3;
+const SWING: f64 = 2.3;
 
 /// What a foot remembers of coming down, in figure space over flat ground.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Landing {
     touch: Option<Touch>,
+    /// Whether that was guessed, or learned of the other foot.
+    guessed: bool,
+    /// Where the figure was when the foot came down, until its ball holds.
+    contact: Option<Frame>,
     /// How long its swing was, seconds.
     swing_secs: f64,
     /// Since it left the ground, seconds.
@@ -62,7 +67,7 @@ struct Way {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Touch {
     pub ankle: DVec3,
-    /// About which it rolls off.
+    /// About which it rolls off, where that is once the sole is down.
     pub roll: DVec3,
     /// The hip's joint.
     pub hip: DVec3,
@@ -92,25 +97,33 @@ pub(super) struct Coming {
 }
 
 impl Landing {
-    /// Goes on by a step: `held` is how firmly the foot holds, 0 to 1, and `plane` what it holds on to.
+    /// Goes on by a step: `held` is how firmly the foot holds, 0 to 1, `ball` how firmly its ball does, and `plane` what
+    /// it holds on to.
     pub fn step(
         &mut self,
         held: f64,
+        ball: f64,
         plane: Plane,
-        touch: impl FnOnce() -> Touch,
-        dt_secs: f64,
-        at_once: bool,
+        now: &Moment<'_>,
+        foot: &Foot,
     ) {
-        let down = held > 0.5;
+        let (down, at_once, dt_secs) = (held > 0.5, now.at_once, now.dt_secs);
         if at_once {
             *self = Landing { down, ..Landing::default() };
         }
         if down && !self.down && self.aloft_secs >= SHORTEST_SECS {
-            self.touch = Some(touch());
-            self.swing_secs = self.aloft_secs;
+            (self.touch, self.guessed) = (Some(now.touch(foot)), false);
+            (self.swing_secs, self.contact) = (self.aloft_secs, Some(*now.world_from_figure));
+        }
+        if let (true, Some(contact), Some(touch)) = (ball > 0.5, self.contact, &mut self.touch) {
+            let stood = contact.inverse().point(now.flat.point(foot.roll));
+            touch.roll = DVec3::new(stood.x, touch.roll.y, stood.z);
+            self.contact = None;
         }
         if down {
             (self.from, self.way) = (plane, None);
+        } else {
+            self.contact = None;
         }
         self.aloft_secs = if down { 0.0 } else { self.aloft_secs + dt_secs };
         self.down = down;
@@ -118,8 +131,9 @@ impl Landing {
 
     /// What a foot that has not come down yet learns from the other, which has.
     pub fn learn(&mut self, other: &Landing) {
-        if let (None, Some(touch)) = (self.touch, other.touch) {
-            (self.touch, self.swing_secs) = (Some(touch.mirrored()), other.swing_secs);
+        let knows = other.touch.filter(|_| !other.guessed && other.contact.is_none());
+        if let (true, Some(touch)) = (self.guessed || self.touch.is_none(), knows) {
+            (self.touch, self.swing_secs, self.guessed) = (Some(touch.mirrored()), other.swing_secs, true);
         }
     }
 
@@ -133,7 +147,8 @@ impl Landing {
         }
         for (side, landing) in landings.into_iter().enumerate() {
             let touch = if side == before { touches[side] } else { touches[before].mirrored() };
-            (landing.touch, landing.swing_secs) = (Some(touch), SWING * ahead[before] / speed);
+            (landing.touch, landing.swing_secs, landing.guessed) =
+                (Some(touch), SWING * ahead[before] / speed, true);
         }
     }
 
