@@ -148,6 +148,7 @@ pub fn place_feet(
             foot::Moment {
                 flat: flat[side],
                 bearing: sample.bearing[side],
+                toes: footing.feet[side].toes_in_foot(leg, sample),
                 world_from_figure: &world_from_figure,
                 hip: leg.hip(flat_hips),
                 reach: settings.reach(leg, &bends[side]),
@@ -161,6 +162,7 @@ pub fn place_feet(
         let around = hips::around(&world_from_figure, sample, &targets);
         let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
         drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
+        if std::env::var("DBG").is_ok() { eprintln!("DBG hips z {:.3} around {:.3} drop {:.3} hips {:.3} planes {:.3} {:.3} bear {:?}", place.position.z, around.height, drop, sample.hips.y+around.height+drop, targets[0].plane.height, targets[1].plane.height, sample.bearing.map(|b| (b.heel*10.0) as i32*100 + (b.ball*10.0) as i32)); }
         sample.hips.y += around.height + drop;
         let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
         state.lean.follow(lean, 3.0, dt_secs, at_once);
@@ -245,8 +247,7 @@ fn view(
     let toes = footing.feet[side].toes_in_foot(leg, sample);
     view.sole_in_world.clear();
     view.ground_under_sole.clear();
-    for (point, on_toes) in footing.feet[side].points {
-        let at = foot.point(if on_toes { toes.point(point) } else { point });
+    for at in footing.feet[side].sole_at(foot, toes) {
         view.sole_in_world.push(at);
         view.ground_under_sole.push(ground.height(at.x, at.z));
     }

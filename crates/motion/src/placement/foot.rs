@@ -68,6 +68,8 @@ pub(super) struct Moment<'a> {
     /// `world_from_foot` of the motion on flat ground.
     pub flat: Frame,
     pub bearing: Bearing,
+    /// `foot_from_toes` of the motion.
+    pub toes: Frame,
     pub world_from_figure: &'a Frame,
     /// The hip's joint over flat ground, figure space.
     pub hip: DVec3,
@@ -110,6 +112,8 @@ pub(super) struct Target {
     /// How firmly the ball holds.
     pub ball: f64,
     pub coming: Option<Coming>,
+    /// Whether the ground has steps.
+    pub on_steps: bool,
 }
 
 impl Target {
@@ -182,6 +186,15 @@ impl FootState {
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
+        if let Some(coming) = coming.filter(|_| heel.max(ball) <= 0.0) {
+            let wait = coming.wait(ground, &foot.sole_at(self.placed, now.toes));
+            let back = DVec3::new(wait.x, 0.0, wait.y);
+            self.placed.position += back;
+            self.slip.value += back;
+            if wait != DVec2::ZERO {
+                self.slip.rate = DVec3::new(0.0, self.slip.rate.y, 0.0);
+            }
+        }
         // How the motion's sole lies to flat ground: with the toes up, or with the heel.
         let up = now.flat.point(foot.ball).y - flat[0].y;
         let length = foot.heel.distance(foot.ball);
@@ -194,6 +207,7 @@ impl FootState {
             plane,
             ball,
             coming,
+            on_steps: ground.has_steps(),
         }
     }
 

@@ -95,6 +95,11 @@ impl Foot {
         (self.roll.z - self.heel.z, self.print[4].z - self.roll.z)
     }
 
+    /// The sole's points for a frame of the foot and of the toes in it.
+    pub fn sole_at(&self, foot: Frame, toes: Frame) -> [DVec3; Sole::COUNT] {
+        self.points.map(|(point, on_toes)| foot.point(if on_toes { toes.point(point) } else { point }))
+    }
+
     /// `foot_from_toes`; without toes nothing is fixed in them.
     pub fn toes_in_foot(&self, leg: &Leg, sample: &Sample) -> Frame {
         self.toes

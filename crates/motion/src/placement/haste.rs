@@ -7,7 +7,7 @@ use crate::Leg;
 
 /// What a motion that was seen for a moment only is taken to turn hip, knee, ankle and the shank against the hips by at
 /// most, radians a second.
-const AT_LEAST: [f64; 4] = [3.5, 5.5, 3.5, 4.0];
+const AT_LEAST: [f64; 4] = [2.0, 3.5, 2.0, 2.5];
 /// How long a motion's fastest turn counts, seconds: a third is left of it then.
 const REMEMBERED_SECS: f64 = 6.0;
 

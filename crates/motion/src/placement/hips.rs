@@ -7,6 +7,7 @@ use super::PlacementSettings;
 use super::fade::{Fade, smooth};
 use super::foot::Target;
 use super::footing::Footing;
+use super::landing::Coming;
 use super::plane::Plane;
 use crate::{Bend, Sample};
 
@@ -33,7 +34,32 @@ pub(super) struct Around {
 pub(super) fn around(world_from_figure: &Frame, sample: &Sample, targets: &[Target; 2]) -> Around {
     let hips = world_from_figure.point(sample.hips);
     let ahead = world_from_figure.rotation * DVec3::Z;
-    between(DVec2::new(hips.x, hips.z), DVec2::new(ahead.x, ahead.z), targets.map(|target| target.plane))
+    let (hips, ahead) = (DVec2::new(hips.x, hips.z), DVec2::new(ahead.x, ahead.z));
+    let around = between(hips, ahead, targets.map(|target| target.plane));
+    // Over steps hips go evenly from place to place: that which the swinging foot left, where the other stands, and
+    // where it will come down.
+    let swings = [0, 1].map(|side| targets[side].coming.filter(Coming::over_steps));
+    match swings {
+        [Some(coming), None] => Around { height: passing(hips, &coming, targets[1].plane), ..around },
+        [None, Some(coming)] => Around { height: passing(hips, &coming, targets[0].plane), ..around },
+        [None, None] if targets[0].on_steps && targets[1].on_steps => {
+            Around { height: along(hips, targets[0].plane, targets[1].plane).0, ..around }
+        }
+        _ => around,
+    }
+}
+
+/// The height over a place between where a foot was, where the other stands, and where it will be.
+fn passing(at: DVec2, coming: &Coming, stands: Plane) -> f64 {
+    let (before, share) = along(at, coming.from, stands);
+    if share < 1.0 { before } else { along(at, stands, coming.plane).0 }
+}
+
+/// The height over a place on the way from one plane's place to another's, and the share of the way, 0 to 1.
+fn along(at: DVec2, from: Plane, to: Plane) -> (f64, f64) {
+    let way = to.at - from.at;
+    let share = ((at - from.at).dot(way) / way.length_squared().max(0.01)).clamp(0.0, 1.0);
+    (from.height + share * (to.height - from.height), share)
 }
 
 fn between(at: DVec2, ahead: DVec2, planes: [Plane; 2]) -> Around {
@@ -80,8 +106,13 @@ impl Reach<'_> {
         });
         let ahead = [0, 1].map(|side| {
             let Some(coming) = targets[side].coming else { return 0.0 };
-            let then = between(coming.hips, DVec2::ZERO, [coming.plane, targets[1 - side].plane]);
-            (coming.highest - then.height) * BEFORE_LANDING * smooth(coming.progress, 0.0, 0.65)
+            let other = targets[1 - side].plane;
+            let then = if coming.over_steps() {
+                along(coming.hips, other, coming.plane).0
+            } else {
+                between(coming.hips, DVec2::ZERO, [coming.plane, other]).height
+            };
+            (coming.highest - then) * BEFORE_LANDING * smooth(coming.progress, 0.0, 0.65)
         });
         let now = eased(needs[0].min(needs[1]), EASED_M * uneven(targets));
         let before = state.value;

@@ -16,6 +16,8 @@ const SHORTEST_SECS: f64 = 0.1;
 const SHIFTS: i32 = 10;
 const SHIFTS_ASIDE: i32 = 5;
 const SHIFT_STEP_M: f64 = 0.02;
+/// A place that is worth so much is not looked for aside.
+const WELL_CARRIED: f64 = 0.9;
 /// Room that a foot that comes down leaves before its toes, behind its heel and beside it where the ground is higher, metres.
 const ROOM_M: [f64; 3] = [0.045, 0.025, 0.02];
 /// How much earlier a foot is lifted on a slope of 45 degrees, metres, and in which part of its swing.
@@ -23,8 +25,16 @@ const EARLY_M: f64 = 0.25;
 const EARLY: (f64, f64) = (0.05, 0.9);
 /// Pieces of a foot's way in which the ground under it is looked at.
 const KNOTS: usize = 24;
+/// How fast a foot goes up steps, against going there evenly.
+const UP_FIRST: f64 = 1.2;
 /// How far a sole passes above steps, metres.
 const CLEARS_M: f64 = 0.02;
+/// How far before an edge a foot that isn't yet above it waits, how far below it a point still counts as above, the
+/// farthest that it stays back and how finely that is looked for, metres.
+const AHEAD_M: f64 = 0.03;
+const INTO_M: f64 = 0.004;
+const MOST_WAIT_M: f64 = 0.25;
+const WAIT_STEP_M: f64 = 0.01;
 /// A landing that comes out farther from where it was thought has the ground looked at again, metres.
 const ELSEWHERE_M: f64 = 0.03;
 /// Feet that are less far before the hip than this, metres, are not on a stride; and how long a swing is, as a multiple of
@@ -220,27 +230,39 @@ impl Way {
         (way.length(), way.normalize_or_zero())
     }
 
-    /// The height of a string, taut over all that the sole passes, with the foot's place of roll at a place.
-    fn string(&self, from: f64, to: f64, at: DVec2) -> f64 {
+    /// The height of a string, taut over all that the sole passes, with the foot's place of roll at a place, and with it
+    /// as far as it would be if it went evenly: a foot goes up before it goes ahead.
+    fn string(&self, from: f64, to: f64, at: DVec2, progress: f64) -> f64 {
         let (length, along) = self.length_along();
         if length < 0.05 {
             return to;
         }
-        let now = ((at - self.from).dot(along) / length).clamp(0.0, 1.0) * KNOTS as f64;
+        let here = ((at - self.from).dot(along) / length).clamp(0.0, 1.0);
         let mut heights = self.tops.map(|top| if top > from.min(to) + CLEARS_M { top + CLEARS_M } else { top });
         (heights[0], heights[KNOTS]) = (from, to);
-        let mut taut = f64::NEG_INFINITY;
-        for i in (0..=KNOTS).filter(|i| *i as f64 <= now) {
-            for j in (0..=KNOTS).filter(|j| *j as f64 >= now) {
-                let share = if i == j { 0.0 } else { (now - i as f64) / (j - i) as f64 };
-                taut = taut.max(heights[i] + share * (heights[j] - heights[i]));
-            }
-        }
-        taut
+        taut(&heights, here).max(taut(&heights, here.max(progress * UP_FIRST).min(1.0)))
     }
 }
 
+/// The least concave curve over evenly spaced heights at a share of their way.
+fn taut(heights: &[f64; KNOTS + 1], share: f64) -> f64 {
+    let now = share * KNOTS as f64;
+    let mut taut = f64::NEG_INFINITY;
+    for i in (0..=KNOTS).filter(|i| *i as f64 <= now) {
+        for j in (0..=KNOTS).filter(|j| *j as f64 >= now) {
+            let share = if i == j { 0.0 } else { (now - i as f64) / (j - i) as f64 };
+            taut = taut.max(heights[i] + share * (heights[j] - heights[i]));
+        }
+    }
+    taut
+}
+
 impl Coming {
+    /// Whether the ground on the way has steps.
+    pub fn over_steps(&self) -> bool {
+        self.way.is_some()
+    }
+
     /// The plane for a foot on its way at a place: it turns evenly from the one to the other. Over ground with steps it
     /// is as high as a string that is taut over all that the sole passes.
     pub fn on_the_way(&self, fitted: Plane) -> Plane {
@@ -249,10 +271,26 @@ impl Coming {
         let near = smooth(self.progress, 0.8, 1.0);
         let gradient = gradient.lerp(fitted.gradient, near);
         let height = match self.way {
-            Some(way) => way.string(self.from.height, self.plane.height, fitted.at),
+            Some(way) => way.string(self.from.height, self.plane.height, fitted.at, self.progress),
             None => fitted.height + self.early(),
         };
         Plane { gradient, height, at: fitted.at }
+    }
+
+    /// How far a foot has to stay back from where it would be for its sole not to go through an edge ahead: `points` are
+    /// those of the sole. Nothing where staying back doesn't help.
+    pub fn wait(&self, ground: &Ground, points: &[DVec3; Sole::COUNT]) -> DVec2 {
+        let Some(along) = self.way.map(|way| way.length_along().1) else { return DVec2::ZERO };
+        let free = |back: f64| {
+            points.iter().all(|p| {
+                let at = level(*p) - along * back;
+                let ahead = at + along * AHEAD_M;
+                p.y > ground.height(at.x, at.y).max(ground.height(ahead.x, ahead.y)) - INTO_M
+            })
+        };
+        let most = (MOST_WAIT_M / WAIT_STEP_M) as usize;
+        let back = (0..=most).map(|i| i as f64 * WAIT_STEP_M).find(|back| free(*back));
+        along * -back.unwrap_or(0.0)
     }
 
     /// Uphill the foot is lifted early, or the thigh would have to come up fast in the second half of the swing, metres.
@@ -291,7 +329,10 @@ fn shift(ground: &Ground, at: DVec2, along: DVec2, sole: &[DVec2; Sole::COUNT]) 
         }
         best
     };
-    let (_, about) = look([-SHIFTS, SHIFTS], [-SHIFTS_ASIDE + 1, SHIFTS_ASIDE - 1], 2, DVec2::ZERO);
+    if look([-SHIFTS, SHIFTS], [0, 0], 1, DVec2::ZERO).0 > WELL_CARRIED {
+        return look([0, 0], [0, 0], 1, DVec2::ZERO).1;
+    }
+    let (_, about) = look([-SHIFTS, SHIFTS], [-SHIFTS_ASIDE, SHIFTS_ASIDE], 2, DVec2::ZERO);
     look([-1, 1], [-1, 1], 1, about).1
 }
 
