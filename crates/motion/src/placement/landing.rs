@@ -29,10 +29,9 @@ const KNOTS: usize = 24;
 const UP_FIRST: f64 = 1.2;
 /// How far a sole passes above steps, metres.
 const CLEARS_M: f64 = 0.02;
-/// How far before an edge a foot that isn't yet above it waits, how far below it a point still counts as above, the
-/// farthest that it stays back and how finely that is looked for, metres.
+/// How far before an edge a foot that isn't yet above it waits, the farthest
+/// that it stays back and how finely that is looked for, metres.
 const AHEAD_M: f64 = 0.03;
-const INTO_M: f64 = 0.004;
 const MOST_WAIT_M: f64 = 0.25;
 const WAIT_STEP_M: f64 = 0.01;
 /// A landing that comes out farther from where it was thought has the ground looked at again, metres.
@@ -285,7 +284,9 @@ impl Coming {
             points.iter().all(|p| {
                 let at = level(*p) - along * back;
                 let ahead = at + along * AHEAD_M;
-                p.y > ground.height(at.x, at.y).max(ground.height(ahead.x, ahead.y)) - INTO_M
+                let edge = ground.height(at.x, at.y).max(ground.height(ahead.x, ahead.y));
+                // What it left is no edge.
+                p.y > edge || edge < self.from.height_at(at) + CLEARS_M
             })
         };
         let most = (MOST_WAIT_M / WAIT_STEP_M) as usize;
