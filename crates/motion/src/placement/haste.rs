@@ -46,36 +46,37 @@ impl Haste {
     ) {
         if dt_secs > 0.0 {
             let rotation = leg.ankle_and_foot(hips, angles).rotation;
-            let held = [(0, &[0][..]), (1, &[1]), (3, &[0, 1])]
-                .map(|(turn, joints)| self.held(leg, turn, joints, times * dt_secs, angles));
-            if held.contains(&true) {
+            // Hip and knee go the same share of their ways, so that the foot goes toward its goal and not ahead.
+            let share = self.share(leg, [0, 1, 3], times * dt_secs, angles);
+            if share < 1.0 {
+                self.hold_back(leg, &[0, 1], share, angles);
                 leg.hold_foot(hips, rotation, angles);
             }
-            self.held(leg, 2, &[2], times * dt_secs, angles);
+            let share = self.share(leg, [2], times * dt_secs, angles);
+            if share < 1.0 {
+                self.hold_back(leg, &[2], share, angles);
+            }
         }
         self.placed = leg.bones().map(|bone| angles[bone.index()]);
         self.turned = turns(leg, angles);
     }
 
-    /// Holds one turn by the joints that make it, and says whether it had to.
-    fn held(
-        &self,
-        leg: &Leg,
-        turn: usize,
-        joints: &[usize],
-        secs: f64,
-        angles: &mut [Angles; Bone::COUNT],
-    ) -> bool {
-        let turned = between(self.turned[turn], turns(leg, angles)[turn]);
-        let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
-        if turned > most {
-            let bones = leg.bones();
-            for &joint in joints {
-                let angles = &mut angles[bones[joint].index()];
-                *angles = mixed(self.placed[joint], *angles, most / turned);
-            }
+    /// The share of their ways that turns may go, 0 to 1.
+    fn share<const N: usize>(&self, leg: &Leg, which: [usize; N], secs: f64, angles: &[Angles; Bone::COUNT]) -> f64 {
+        let now = turns(leg, angles);
+        which.into_iter().fold(1.0, |share, turn| {
+            let turned = between(self.turned[turn], now[turn]);
+            let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
+            if turned > most { share.min(most / turned) } else { share }
+        })
+    }
+
+    fn hold_back(&self, leg: &Leg, joints: &[usize], share: f64, angles: &mut [Angles; Bone::COUNT]) {
+        let bones = leg.bones();
+        for &joint in joints {
+            let angles = &mut angles[bones[joint].index()];
+            *angles = mixed(self.placed[joint], *angles, share);
         }
-        turned > most
     }
 }
 
