@@ -162,7 +162,6 @@ pub fn place_feet(
         let around = hips::around(&world_from_figure, sample, &targets);
         let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
         drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
-        if std::env::var("DBG").is_ok() { eprintln!("DBG hips z {:.3} around {:.3} drop {:.3} hips {:.3} planes {:.3} {:.3} bear {:?}", place.position.z, around.height, drop, sample.hips.y+around.height+drop, targets[0].plane.height, targets[1].plane.height, sample.bearing.map(|b| (b.heel*10.0) as i32*100 + (b.ball*10.0) as i32)); }
         sample.hips.y += around.height + drop;
         let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
         state.lean.follow(lean, 3.0, dt_secs, at_once);
