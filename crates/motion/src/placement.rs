@@ -180,6 +180,7 @@ pub fn place_feet(
                 placed_hips,
                 &targets[side],
                 bent,
+                settings.haste.max(1.0),
                 dt_secs,
                 sample,
             );

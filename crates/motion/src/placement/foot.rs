@@ -10,6 +10,7 @@ use super::footing::{Foot, Footing};
 use super::haste::Haste;
 use super::landing::{Coming, Landing, Touch};
 use super::plane::Plane;
+use super::toes::ToesState;
 use crate::{Bearing, Bend, FootGoal, Ground, Sample};
 
 /// How quickly what a held foot had against the motion fades as it swings, 1/s.
@@ -51,8 +52,7 @@ pub(super) struct FootState {
     flat: [DVec3; 2],
     yaw: f64,
     pub landing: Landing,
-    /// What the toes are bent beyond the motion's, degrees.
-    pub toes: Fade<f64>,
+    pub toes: ToesState,
     /// By how much the heel is up for the leg's and the ankle's sake, radians.
     rise: Fade<f64>,
     /// By how much toes that are up are down for the same, radians.

@@ -8,12 +8,48 @@ use super::footing::{Footing, foot_from_toes};
 use crate::{Ground, Sample};
 
 /// How quickly toes follow the ground while the ball holds, and go back when it doesn't, 1/s.
-const BENDS: f64 = 30.0;
+const BENDS: f64 = 60.0;
 const STRAIGHTENS: f64 = 12.0;
 /// Ground that is so far off the sole's plane bends the toes; from the second on it is a step, metres.
 const STEP_M: (f64, f64) = (0.03, 0.06);
 /// Rounds of Newton's rule; the second is below a tenth of a degree.
 const ROUNDS: usize = 3;
+/// What a motion that was seen for a moment only is taken to bend toes by at most, degrees a second.
+const AT_LEAST: f64 = 100.0;
+/// What toes that the ball doesn't hold bend up at most, degrees.
+const MOST_LIFT: f64 = 25.0;
+/// For how long its fastest bend counts, seconds.
+const REMEMBERED_SECS: f64 = 6.0;
+
+/// What toes remember.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(super) struct ToesState {
+    /// What they are bent beyond the motion's, degrees.
+    bent: Fade<f64>,
+    /// The motion's flexion and the placed one, degrees.
+    flat: f64,
+    placed: f64,
+    /// The motion's fastest bend, degrees a second.
+    fastest: f64,
+}
+
+impl ToesState {
+    /// Bends beyond the motion's flexion toward a goal, not much faster than the motion does; gives the flexion.
+    fn bend(&mut self, flat: f64, goal: f64, quickness: f64, times: f64, dt_secs: f64) -> f64 {
+        self.bent.follow(goal, quickness, dt_secs, dt_secs == 0.0);
+        if dt_secs > 0.0 {
+            let left = (-dt_secs / REMEMBERED_SECS).exp();
+            self.fastest = (self.fastest * left).max((flat - self.flat).abs() / dt_secs);
+            let most = self.fastest.max(AT_LEAST) * times * dt_secs;
+            let held = (flat + self.bent.value).clamp(self.placed - most, self.placed + most);
+            if held != flat + self.bent.value {
+                self.bent = Fade { value: held - flat, rate: 0.0 };
+            }
+        }
+        self.flat = flat;
+        flat + self.bent.value
+    }
+}
 
 #[allow(clippy::too_many_arguments)] // one foot of a node
 /// Bends the toes of a placed foot so that their tip is as high above the ground there as the motion has it above flat
@@ -25,16 +61,14 @@ pub(super) fn bend(
     world_from_figure: &Frame,
     hips: Frame,
     target: &Target,
-    bent: &mut Fade<f64>,
+    state: &mut ToesState,
+    times: f64,
     dt_secs: f64,
     sample: &mut Sample,
 ) {
     let (leg, foot) = (&footing.legs.sides[side], &footing.feet[side]);
     let Some(toes) = &foot.toes else { return };
     let Some(range) = toes.joint.range(Dof::Flexion) else { return };
-    if target.ball <= 0.0 && bent.value.abs() < 1e-6 {
-        return;
-    }
     let bone = leg.toes_bone().index();
     let was = sample.angles[bone];
     let world_from_foot = world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
@@ -59,8 +93,16 @@ pub(super) fn bend(
             flexion += (off / sinks).clamp(-40.0, 40.0);
         }
     }
-    let goal = target.ball * (flexion - was.flexion);
+    // A tip that the ball doesn't hold comes out of the ground, but isn't brought down to it.
+    let tip = tip_at(was.flexion, world_from_foot);
+    let deep = ground.height(tip.x, tip.z) - tip.y;
+    let in_ground = deep > 0.0 && deep < STEP_M.1;
+    let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
+    let lifts = if in_ground && sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
+    let goal = lifts + target.ball * (flexion - was.flexion - lifts);
     let quickness = STRAIGHTENS + target.ball * (BENDS - STRAIGHTENS);
-    bent.follow(goal, quickness, dt_secs, dt_secs == 0.0);
-    sample.angles[bone].flexion = range.reaching(was.flexion).clamp(was.flexion + bent.value);
+    let bent = state.bend(was.flexion, goal, quickness, times, dt_secs);
+    let flexion = range.reaching(was.flexion).clamp(bent);
+    state.placed = flexion;
+    sample.angles[bone].flexion = flexion;
 }
