@@ -12,7 +12,7 @@ use super::plane::Plane;
 use crate::{Bend, Sample};
 
 /// How quickly the hips go down for a leg, and come up again, 1/s.
-const DROPS: f64 = 30.0;
+const DROPS: f64 = 18.0;
 const COMES_BACK: f64 = 10.0;
 
 /// How far before a leg is stretched the hips begin to go down on uneven ground, metres.
