@@ -167,23 +167,24 @@ pub fn place_feet(
         state.lean.follow(lean, 3.0, dt_secs, at_once);
         footing.lean(state.lean.value, sample);
         let placed_hips = footing.hips(sample);
+        let held = [0, 1].map(|side| {
+            let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
+            grip.hold(placed_hips, &targets[side], &bends[side], &mut state.feet[side], dt_secs, sample)
+        });
+        // Hips don't go down faster than the legs below them fold.
+        let up = hips::held_up(&targets, &held).min(-drop);
+        state.drop.value += up;
+        sample.hips.y += up;
+        drop += up;
+        let placed_hips = footing.hips(sample);
         for side in 0..2 {
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            let foot = &mut state.feet[side];
-            soles[side] = grip.hold(placed_hips, &targets[side], &bends[side], foot, dt_secs, sample);
-            let bent = &mut state.feet[side].toes;
-            toes::bend(
-                footing,
-                side,
-                ground,
-                &world_from_figure,
-                placed_hips,
-                &targets[side],
-                bent,
-                settings.haste.max(1.0),
-                dt_secs,
-                sample,
-            );
+            let frame = Frame::new(held[side].frame.rotation, held[side].frame.position + DVec3::Y * up);
+            soles[side] = grip.lies(frame, &targets[side]);
+            let toes = &mut state.feet[side].toes;
+            let times = settings.haste.max(1.0);
+            let (world, target) = (&world_from_figure, &targets[side]);
+            toes::bend(footing, side, ground, world, placed_hips, target, toes, times, dt_secs, sample);
         }
         state.begun = true;
     }

@@ -264,6 +264,15 @@ fn yaw(rotation: DQuat) -> f64 {
     (-across.z).atan2(across.x)
 }
 
+/// Where a leg holds a foot.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Held {
+    /// `world_from_foot`.
+    pub frame: Frame,
+    /// How far a ball that bears is below where it should be, as the leg can't fold faster, metres; above: negative.
+    pub sunk_m: f64,
+}
+
 /// What holds a foot at its target.
 pub(super) struct Grip<'a> {
     pub footing: &'a Footing,
@@ -273,7 +282,7 @@ pub(super) struct Grip<'a> {
 }
 
 impl Grip<'_> {
-    /// Bends the leg so that the foot is at its target, and says whether its sole lies as it should. Where the leg can't
+    /// Bends the leg so that the foot is at its target, and says where it is. Where the leg can't
     /// reach or the ankle can't bend so far, the heel comes up, and down again slowly.
     pub fn hold(
         &self,
@@ -283,7 +292,7 @@ impl Grip<'_> {
         state: &mut FootState,
         dt_secs: f64,
         sample: &mut Sample,
-    ) -> bool {
+    ) -> Held {
         let leg = &self.footing.legs.sides[self.side];
         state.haste.see(leg, &sample.angles, dt_secs);
         let bones = leg.bones().map(rig::Bone::index);
@@ -307,7 +316,14 @@ impl Grip<'_> {
         state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
         let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
         let foot = &self.footing.feet[self.side];
-        [foot.heel, foot.ball].iter().all(|p| held.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
+        let sunk = target.raised(rise).point(foot.roll).y - held.point(foot.roll).y;
+        Held { frame: held, sunk_m: target.ball * sunk }
+    }
+
+    /// Whether a foot's sole lies as it should.
+    pub fn lies(&self, frame: Frame, target: &Target) -> bool {
+        let foot = &self.footing.feet[self.side];
+        [foot.heel, foot.ball].iter().all(|p| frame.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
     }
 
     /// The least angle by which the heel has to rise, radians; leaves the leg solved for it, or nearly so.

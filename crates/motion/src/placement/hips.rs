@@ -5,7 +5,7 @@ use rig::Frame;
 
 use super::PlacementSettings;
 use super::fade::{Fade, smooth};
-use super::foot::Target;
+use super::foot::{Held, Target};
 use super::footing::Footing;
 use super::landing::Coming;
 use super::plane::Plane;
@@ -19,6 +19,9 @@ const COMES_BACK: f64 = 10.0;
 const EASED_M: f64 = 0.05;
 /// By how much the heel of a foot that rolls off rises before the hips go down for it, radians.
 const MAY_RISE: f64 = 0.25;
+/// Feet that are less in the ground let hips go down as they do, and the most that hips come up for them in one step, metres.
+const SUNK_M: f64 = 0.003;
+const MOST_UP_M: f64 = 0.05;
 /// A foot reaches farthest a little before it lands: what its landing needs, times this, is enough for that, too.
 const BEFORE_LANDING: f64 = 1.4;
 
@@ -126,6 +129,14 @@ impl Reach<'_> {
         }
         state.value.min(0.0)
     }
+}
+
+/// By how much hips that went down faster than a leg folds have to come up for its foot to be out of the ground, metres;
+/// half of it where the other foot stands too.
+pub(super) fn held_up(targets: &[Target; 2], held: &[Held; 2]) -> f64 {
+    let sunk = held[0].sunk_m.max(held[1].sunk_m) - SUNK_M;
+    let both = targets[0].ball.min(targets[1].ball);
+    sunk.clamp(0.0, MOST_UP_M) * (1.0 - 0.5 * both)
 }
 
 /// How uneven the ground under the feet is, 0 where it is level to 1.
