@@ -100,7 +100,8 @@ pub(super) fn bend(
     let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
     let lifts = if in_ground && sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
     let goal = lifts + target.ball * (flexion - was.flexion - lifts);
-    let quickness = STRAIGHTENS + target.ball * (BENDS - STRAIGHTENS);
+    let follows = if lifts < 0.0 { 1.0 } else { target.ball };
+    let quickness = STRAIGHTENS + follows * (BENDS - STRAIGHTENS);
     let bent = state.bend(was.flexion, goal, quickness, times, dt_secs);
     let flexion = range.reaching(was.flexion).clamp(bent);
     state.placed = flexion;
