@@ -11,8 +11,10 @@ use std::sync::Arc;
 
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
 use interchange::figure::bare_mannequin;
-use motion::{FittedClip, Ground, GroundKind, Steering, TreeState, Walker, read_tree};
-use rig::Figure;
+use motion::{
+    FittedClip, Ground, GroundKind, Steering, TreeState, Walker, parse_clip, parse_plan, read_tree,
+};
+use rig::{Bone, Figure, Palette};
 
 /// A three-parameter blend: three clips are live where it is steered to.
 const THREE: &str = r#"(version: 1, root: FootPlacement(node: Blend(by: [Forward, Sideways, Turn], points: [
@@ -62,9 +64,37 @@ fn walker(c: &mut Criterion) {
     }
 }
 
+/// What a game does for a figure each frame: the shipped tree and clips, feet on hills, every matrix of the skin.
+fn figure(c: &mut Criterion) {
+    let figure = Arc::new(bare_mannequin().expect("the mannequin is whole"));
+    let assets = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets");
+    let read = |name: String| std::fs::read_to_string(format!("{assets}/{name}")).expect("a shipped file");
+    let text = read("blend/walk.blend.ron".to_owned());
+    let plan = parse_plan(&text).expect("a plan");
+    let clips: Vec<Arc<FittedClip>> = plan
+        .clip_names()
+        .iter()
+        .map(|name| parse_clip(&read(format!("clips/{name}.clip.ron"))).expect("a clip"))
+        .map(|clip| Arc::new(FittedClip::new(&clip, &figure, &figure).expect("legs")))
+        .collect();
+    let tree = Arc::new(read_tree(&text, &clips).expect("the tree is whole"));
+    let rest = Bone::ALL.map(|bone| figure.skeleton.rest_position(bone));
+    let ground = GroundKind::Hills.ground(1);
+    for (name, turn) in [("figure, straight", 0.0), ("figure, in an arc", 12.0)] {
+        let mut walker = Walker::new(figure.clone(), tree.clone());
+        let steering = Steering { speed: 1.3, forward: 1.3, turn, ..Steering::default() };
+        let mut palette = Palette::REST;
+        measure(c, name, || {
+            walker.step(black_box(&ground), black_box(&steering), DT);
+            palette = Palette::new(&rig::frames(&figure, walker.pose()), &rest);
+            black_box(&mut palette);
+        });
+    }
+}
+
 criterion_group! {
     name = one_walker;
     config = sampling::many_short();
-    targets = tree, walker
+    targets = tree, walker, figure
 }
 criterion_main!(one_walker);

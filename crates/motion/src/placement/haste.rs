@@ -44,26 +44,28 @@ impl Haste {
         angles: &mut [Angles; Bone::COUNT],
         dt_secs: f64,
     ) {
+        let mut now = turns(leg, angles);
         if dt_secs > 0.0 {
-            let rotation = leg.ankle_and_foot(hips, angles).rotation;
+            let rotation = hips.rotation * now[3] * now[2];
             // Hip and knee go the same share of their ways, so that the foot goes toward its goal and not ahead.
-            let share = self.share(leg, [0, 1, 3], times * dt_secs, angles);
+            let share = self.share(&now, [0, 1, 3], times * dt_secs);
             if share < 1.0 {
                 self.hold_back(leg, &[0, 1], share, angles);
                 leg.hold_foot(hips, rotation, angles);
+                now = turns(leg, angles);
             }
-            let share = self.share(leg, [2], times * dt_secs, angles);
+            let share = self.share(&now, [2], times * dt_secs);
             if share < 1.0 {
                 self.hold_back(leg, &[2], share, angles);
+                now = turns(leg, angles);
             }
         }
         self.placed = leg.bones().map(|bone| angles[bone.index()]);
-        self.turned = turns(leg, angles);
+        self.turned = now;
     }
 
     /// The share of their ways that turns may go, 0 to 1.
-    fn share<const N: usize>(&self, leg: &Leg, which: [usize; N], secs: f64, angles: &[Angles; Bone::COUNT]) -> f64 {
-        let now = turns(leg, angles);
+    fn share<const N: usize>(&self, now: &[DQuat; 4], which: [usize; N], secs: f64) -> f64 {
         which.into_iter().fold(1.0, |share, turn| {
             let turned = between(self.turned[turn], now[turn]);
             let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
