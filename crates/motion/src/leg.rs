@@ -164,9 +164,7 @@ impl Leg {
         let shin = angles[parts.hinge.index()];
         let in_knee = self.in_knee(shin);
         let wanted = self.rig.target_in_limb(figure_from_hips.inverse().point(goal.ankle));
-        let target = self.soft(wanted, bend.distance, softness_m);
-        let asked = LimbGoal { target, elevation: bend.elevation, branch: bend.branch };
-        let Some((state, stopped)) = self.reached(in_knee, &asked, bend) else {
+        let Some((state, stopped)) = self.reached(in_knee, wanted, bend, softness_m) else {
             return LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() };
         };
         let base_from_root = self.rig.root_in_base(state.root);
@@ -184,9 +182,44 @@ impl Leg {
         self.turn_foot(shank.conjugate() * goal.rotation, &mut angles[parts.end.index()], miss)
     }
 
-    /// The joints that hold the ankle at a target, and whether a range changed them.
-    fn reached(&self, in_knee: DVec3, goal: &LimbGoal, bend: &Bend) -> Option<(LimbState, bool)> {
-        let direct = self.rig.kin.solve(in_knee, goal).ok()?.state;
+    /// The flexion that the ankle needs for a goal, degrees, its range aside: what [`Leg::solve`] finds on its way, for
+    /// less than half its work. `None` where numbers are no numbers.
+    pub fn foot_flexion(
+        &self,
+        figure_from_hips: Frame,
+        goal: &FootGoal,
+        bend: &Bend,
+        softness_m: f64,
+        angles: &[Angles; Bone::COUNT],
+    ) -> Option<f64> {
+        let parts = self.rig.limb.parts();
+        let shin = angles[parts.hinge.index()];
+        let wanted = self.rig.target_in_limb(figure_from_hips.inverse().point(goal.ankle));
+        let (state, _) = self.reached(self.in_knee(shin), wanted, bend, softness_m)?;
+        let knee = self.knee.rotation(Angles { flexion: state.hinge.to_degrees(), ..shin });
+        let shank = figure_from_hips.rotation * self.rig.root_in_base(state.root) * knee;
+        let shank_from_foot = shank.conjugate() * goal.rotation;
+        let flexion = match &self.foot.articulation {
+            // The outer of the hinges doesn't wait for the others.
+            Articulation::Hinges(hinges) if hinges.first().is_some_and(|h| h.dof == Dof::Flexion) => {
+                kin::swing_twist(shank_from_foot, hinges[0].axis).1.to_degrees()
+            }
+            other => hinge_angles(other, shank_from_foot, angles[parts.end.index()])?.flexion,
+        };
+        flexion.is_finite().then_some(flexion)
+    }
+
+    /// The joints that hold the ankle at a place in the limb's axes, and whether a range changed them.
+    fn reached(
+        &self,
+        in_knee: DVec3,
+        wanted: DVec3,
+        bend: &Bend,
+        softness_m: f64,
+    ) -> Option<(LimbState, bool)> {
+        let target = self.soft(wanted, bend.distance, softness_m);
+        let goal = LimbGoal { target, elevation: bend.elevation, branch: bend.branch };
+        let direct = self.rig.kin.solve(in_knee, &goal).ok()?.state;
         if !(direct.root.is_finite() && direct.hinge.is_finite()) {
             return None;
         }
@@ -200,7 +233,7 @@ impl Leg {
         let at = |hinge: f64| self.rig.kin.articulator(&LimbState { root, hinge }, in_knee);
         let (straight, folded) = (at(0.0), at(PI));
         let center = (straight + folded) * 0.5;
-        let toward = goal.target - center;
+        let toward = target - center;
         let nearest = toward.dot(at(FRAC_PI_2) - center).atan2(toward.dot(straight - center));
         let hinge = ranges.hinge.clamp(nearest);
         hinge.is_finite().then_some((LimbState { root, hinge }, true))
@@ -227,7 +260,12 @@ impl Leg {
     }
 
     /// Turns the foot as far as the ankle goes toward a rotation in figure space, and says how far it then is off it.
-    pub fn hold_foot(&self, figure_from_hips: Frame, rotation: DQuat, angles: &mut [Angles; Bone::COUNT]) -> LegMiss {
+    pub fn hold_foot(
+        &self,
+        figure_from_hips: Frame,
+        rotation: DQuat,
+        angles: &mut [Angles; Bone::COUNT],
+    ) -> LegMiss {
         let parts = self.rig.limb.parts();
         let [hip, knee, _] = self.turns(angles);
         let shank = figure_from_hips.rotation * hip * knee;

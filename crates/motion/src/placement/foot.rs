@@ -11,7 +11,7 @@ use super::haste::Haste;
 use super::landing::{Coming, Landing, Touch};
 use super::plane::Plane;
 use super::toes::ToesState;
-use crate::{Bearing, Bend, FootGoal, Ground, Sample};
+use crate::{Bearing, Bend, FootGoal, Ground, Leg, Sample};
 
 /// How quickly what a held foot had against the motion fades as it swings, 1/s.
 const SLIP_FADES: f64 = 16.0;
@@ -326,7 +326,7 @@ impl Grip<'_> {
         [foot.heel, foot.ball].iter().all(|p| frame.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
     }
 
-    /// The least angle by which the heel has to rise, radians; leaves the leg solved for it, or nearly so.
+    /// The least angle by which the heel has to rise, radians; leaves the leg solved for none, if that does.
     fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, tried: &mut Sample) -> f64 {
         let leg = &self.footing.legs.sides[self.side];
         let hip = self.world_from_figure.point(leg.hip(hips));
@@ -340,7 +340,7 @@ impl Grip<'_> {
         let (mut low, mut low_beyond) = (rise, beyond);
         rise += 1.3 * beyond;
         for _ in 0..ROUNDS {
-            beyond = self.solve(hips, target, rise, bend, tried) + RESERVE;
+            beyond = self.beyond(hips, target, rise, bend, tried) + RESERVE;
             if beyond.abs() < NEAR || (beyond - low_beyond).abs() < 1e-9 {
                 break;
             }
@@ -355,15 +355,32 @@ impl Grip<'_> {
     /// range, radians; negative: how much is left.
     fn solve(&self, hips: Frame, target: &Target, rise: f64, bend: &Bend, sample: &mut Sample) -> f64 {
         let leg = &self.footing.legs.sides[self.side];
-        let wanted = self.world_from_figure.inverse().then(target.raised(rise));
-        let softness = self.settings.softness_m(leg);
         let foot = leg.limb().parts().end.index();
         let was = sample.angles[foot];
-        let goal = FootGoal { ankle: wanted.position, rotation: wanted.rotation };
+        let goal = self.goal(target, rise);
+        let softness = self.settings.softness_m(leg);
         let miss = leg.solve(hips, &goal, bend, softness, &mut sample.angles);
-        let most =
-            leg.foot().range(Dof::Flexion).map_or(f64::INFINITY, |range| range.reaching(was.flexion).max);
-        let beyond = sample.angles[foot].flexion + miss.foot_beyond.flexion - most;
-        if beyond.is_finite() { beyond.to_radians() } else { 0.0 }
+        beyond_range(leg, was.flexion, sample.angles[foot].flexion + miss.foot_beyond.flexion)
     }
+
+    /// What [`Grip::solve`] says, without bending the leg.
+    fn beyond(&self, hips: Frame, target: &Target, rise: f64, bend: &Bend, sample: &Sample) -> f64 {
+        let leg = &self.footing.legs.sides[self.side];
+        let was = sample.angles[leg.limb().parts().end.index()];
+        let softness = self.settings.softness_m(leg);
+        let flexion = leg.foot_flexion(hips, &self.goal(target, rise), bend, softness, &sample.angles);
+        flexion.map_or(0.0, |flexion| beyond_range(leg, was.flexion, flexion))
+    }
+
+    fn goal(&self, target: &Target, rise: f64) -> FootGoal {
+        let wanted = self.world_from_figure.inverse().then(target.raised(rise));
+        FootGoal { ankle: wanted.position, rotation: wanted.rotation }
+    }
+}
+
+/// How far a flexion of the ankle is beyond its range, which stretches to what it was, radians; 0 for what is no number.
+fn beyond_range(leg: &Leg, was: f64, flexion: f64) -> f64 {
+    let range = leg.foot().range(Dof::Flexion);
+    let beyond = flexion - range.map_or(f64::INFINITY, |range| range.reaching(was).max);
+    if beyond.is_finite() { beyond.to_radians() } else { 0.0 }
 }
