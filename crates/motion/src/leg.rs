@@ -122,17 +122,25 @@ impl Leg {
 
     /// Where the joints hold the foot: `figure_from_foot`, at the ankle's joint.
     pub fn ankle_and_foot(&self, figure_from_hips: Frame, angles: &[Angles; Bone::COUNT]) -> Frame {
-        let parts = self.rig.limb.parts();
-        let root = self.hip_turn(angles[parts.root.index()]);
-        let hip = figure_from_hips.then(Frame::new(root, self.rig.point_in_base(DVec3::ZERO)));
-        let shank = hip.then(Frame::new(self.knee.rotation(angles[parts.hinge.index()]), self.knee.offset));
-        shank.then(Frame::new(self.foot.rotation(angles[parts.end.index()]), self.foot.offset))
+        self.foot_held_by(figure_from_hips, &self.turns(angles))
+    }
+
+    /// As [`Leg::ankle_and_foot`], given the turns of hip, knee and ankle.
+    pub fn foot_held_by(&self, figure_from_hips: Frame, [root, knee, foot]: &[DQuat; 3]) -> Frame {
+        let hip = figure_from_hips.then(Frame::new(*root, self.rig.point_in_base(DVec3::ZERO)));
+        let shank = hip.then(Frame::new(*knee, self.knee.offset));
+        shank.then(Frame::new(*foot, self.foot.offset))
     }
 
     /// How the leg bends; a leg whose angles are no numbers bends as at rest.
     pub fn bend(&self, angles: &[Angles; Bone::COUNT]) -> Bend {
+        self.bend_of(self.hip_turn(angles[self.rig.limb.parts().root.index()]), angles)
+    }
+
+    /// As [`Leg::bend`], given the turn of the hip.
+    pub fn bend_of(&self, hip: DQuat, angles: &[Angles; Bone::COUNT]) -> Bend {
         let parts = self.rig.limb.parts();
-        let root = self.rig.root_in_limb(self.hip_turn(angles[parts.root.index()]));
+        let root = self.rig.root_in_limb(hip);
         let from = LimbState { root, hinge: angles[parts.hinge.index()].flexion.to_radians() };
         let in_knee = self.in_knee(angles[parts.hinge.index()]);
         let rest = LimbState { root: DQuat::IDENTITY, hinge: 0.0 };

@@ -11,13 +11,13 @@ mod foot;
 mod footing;
 mod haste;
 mod hips;
-mod lift;
 mod landing;
+mod lift;
 mod plane;
 mod stand;
 mod toes;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use rig::{Frame, Place};
 use serde::{Deserialize, Serialize};
 
@@ -126,20 +126,35 @@ pub fn place_feet(
     dt_secs: f64,
     views: &mut [FootView; 2],
 ) {
+    let turns = footing.turns(sample);
+    place_turned_feet(footing, ground, place, sample, &turns, settings, state, dt_secs, views);
+}
+
+/// As [`place_feet`], given the turns of the sample's hips, knees and ankles.
+#[allow(clippy::too_many_arguments)] // a node's inputs, its state and its outputs
+pub(crate) fn place_turned_feet(
+    footing: &Footing,
+    ground: &Ground,
+    place: &Place,
+    sample: &mut Sample,
+    turns: &[[DQuat; 3]; 2],
+    settings: &PlacementSettings,
+    state: &mut FeetState,
+    dt_secs: f64,
+    views: &mut [FootView; 2],
+) {
     let level = Place { position: DVec3::new(place.position.x, 0.0, place.position.z), ..*place };
     let world_from_figure = level.world_from_figure();
     let flat_hips = footing.hips(sample);
-    let flat = [0, 1].map(|side| {
-        let leg = &footing.legs.sides[side];
-        world_from_figure.then(leg.ankle_and_foot(flat_hips, &sample.angles))
-    });
+    let flat = [0, 1]
+        .map(|side| world_from_figure.then(footing.legs.sides[side].foot_held_by(flat_hips, &turns[side])));
     let dt_secs = if dt_secs.is_finite() && state.begun { dt_secs.clamp(0.0, 0.25) } else { 0.0 };
     let at_once = !state.begun || dt_secs == 0.0;
     let mut drop = 0.0;
-    let mut soles = [true; 2];
+    let (mut frames, mut soles) = (flat, [true; 2]);
     let sound = near(level.position) && flat.iter().all(|f| near(f.position) && f.rotation.is_finite());
     if settings.on && sound {
-        let bends = [0, 1].map(|side| footing.legs.sides[side].bend(&sample.angles));
+        let bends = [0, 1].map(|side| footing.legs.sides[side].bend_of(turns[side][0], &sample.angles));
         let going = Going::on(state.place, &level, dt_secs, at_once);
         let after = |secs: f64| going.after(secs);
         state.place = level;
@@ -169,28 +184,28 @@ pub fn place_feet(
         let placed_hips = footing.hips(sample);
         let held = [0, 1].map(|side| {
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            grip.hold(placed_hips, &targets[side], &bends[side], &mut state.feet[side], dt_secs, sample)
+            let foot = &mut state.feet[side];
+            foot.haste.see(&turns[side], dt_secs);
+            grip.hold(placed_hips, &targets[side], &bends[side], foot, dt_secs, sample)
         });
         // Hips don't go down faster than the legs below them fold.
         let up = hips::held_up(&targets, &held).min(-drop);
         state.drop.value += up;
         sample.hips.y += up;
         drop += up;
-        let placed_hips = footing.hips(sample);
         for side in 0..2 {
             let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            let frame = Frame::new(held[side].frame.rotation, held[side].frame.position + DVec3::Y * up);
-            soles[side] = grip.lies(frame, &targets[side]);
-            let toes = &mut state.feet[side].toes;
-            let times = settings.haste.max(1.0);
-            let (world, target) = (&world_from_figure, &targets[side]);
-            toes::bend(footing, side, ground, world, placed_hips, target, toes, times, dt_secs, sample);
+            frames[side] = held[side].frame;
+            frames[side].position.y += up;
+            soles[side] = grip.lies(frames[side], &targets[side]);
+            let (toes, times) = (&mut state.feet[side].toes, settings.haste.max(1.0));
+            toes::bend(footing, side, ground, frames[side], &targets[side], toes, times, dt_secs, sample);
         }
         state.begun = true;
     }
     for side in 0..2 {
-        let seen = Seen { flat: flat[side], drop, sole_is_down: soles[side] };
-        view(footing, side, ground, &world_from_figure, sample, &seen, &mut views[side]);
+        let seen = Seen { flat: flat[side], drop, foot: frames[side], sole_is_down: soles[side] };
+        view(footing, side, ground, sample, &seen, &mut views[side]);
     }
 }
 
@@ -228,23 +243,16 @@ impl Going {
 struct Seen {
     flat: Frame,
     drop: f64,
+    foot: Frame,
     sole_is_down: bool,
 }
 
 /// From here on a part of the sole counts as standing.
 const STANDS: f64 = 0.95;
 
-fn view(
-    footing: &Footing,
-    side: usize,
-    ground: &Ground,
-    world_from_figure: &Frame,
-    sample: &Sample,
-    seen: &Seen,
-    view: &mut FootView,
-) {
+fn view(footing: &Footing, side: usize, ground: &Ground, sample: &Sample, seen: &Seen, view: &mut FootView) {
     let leg = &footing.legs.sides[side];
-    let foot = world_from_figure.then(leg.ankle_and_foot(footing.hips(sample), &sample.angles));
+    let foot = seen.foot;
     let toes = footing.feet[side].toes_in_foot(leg, sample);
     view.sole_in_world.clear();
     view.ground_under_sole.clear();

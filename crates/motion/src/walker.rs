@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use rig::{Figure, Place, Pose};
 
 use crate::{
     Feather, FeetState, FootView, Footing, Ground, PlacementSettings, Sample, Steering, Travel, Tree,
-    TreeState, lift_feet, place_feet,
+    TreeState, lift_feet, place_feet, placement::place_turned_feet,
 };
 
 /// Longer time steps count as this many seconds.
@@ -54,6 +54,8 @@ pub struct Walker {
     /// How far the placement is switched on, 0 to 1; `None` before the first step.
     switched: Option<f64>,
     flat: Sample,
+    /// The turns of its hips, knees and ankles.
+    turns: [[DQuat; 3]; 2],
     placed: Sample,
     pose: Pose,
     feet: [FootView; 2],
@@ -72,6 +74,7 @@ impl Walker {
             feet_state: FeetState::default(),
             switched: None,
             flat: Sample::at_rest(&figure),
+            turns: [[DQuat::IDENTITY; 3]; 2],
             placed: Sample::at_rest(&figure),
             pose: figure.rest_pose(),
             feet: Default::default(),
@@ -101,9 +104,10 @@ impl Walker {
     /// From the tree's sample to one whose feet are not below flat ground.
     fn take_flat(&mut self) {
         self.flat.clone_from(self.state.sample());
-        // A clip alone has its feet where they belong.
-        if let Some(footing) = self.footing.as_ref().filter(|_| self.state.samplings() > 1) {
-            lift_feet(footing, &mut self.flat);
+        if let Some(footing) = &self.footing {
+            // A clip alone has its feet where they belong.
+            let alone = self.state.samplings() <= 1;
+            self.turns = if alone { footing.turns(&self.flat) } else { lift_feet(footing, &mut self.flat) };
         }
         self.placed.clone_from(&self.flat);
     }
@@ -134,7 +138,8 @@ impl Walker {
         };
         let settings = self.tree.placement().copied().unwrap_or_default();
         let (place, state) = (&self.pose.place, &mut self.feet_state);
-        place_feet(footing, ground, place, &mut self.placed, &settings, state, dt_secs, &mut self.feet);
+        let (placed, turns, feet) = (&mut self.placed, &self.turns, &mut self.feet);
+        place_turned_feet(footing, ground, place, placed, turns, &settings, state, dt_secs, feet);
         if switched < 1.0 {
             let (part, seen) = (Feather::Smooth.at(switched), [0, 1].map(|side| Seen::of(&self.feet[side])));
             toward(&mut self.placed, &self.flat, height, 1.0 - part);

@@ -145,6 +145,7 @@ impl Joint {
                     [] => DQuat::IDENTITY,
                     [only] => turn(only),
                     [outer, inner] => turn(outer) * turn(inner),
+                    [outer, middle, inner] => turn(outer) * turn(middle) * turn(inner),
                     more => more.iter().map(turn).fold(DQuat::IDENTITY, |outer, inner| outer * inner),
                 }
             }

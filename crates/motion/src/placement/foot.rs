@@ -1,7 +1,7 @@
 //! One foot: the plane that it stands on, where it is held, and where that wants it to be.
 
 use glam::{DQuat, DVec2, DVec3};
-use kin::wrapped;
+use kin::{axis_angle, wrapped};
 use rig::{Dof, Frame};
 
 use super::PlacementSettings;
@@ -57,7 +57,7 @@ pub(super) struct FootState {
     rise: Fade<f64>,
     /// By how much toes that are up are down for the same, radians.
     lower: Fade<f64>,
-    haste: Haste,
+    pub haste: Haste,
     /// Where the foot was to be.
     placed: Frame,
     on_heel: bool,
@@ -86,7 +86,7 @@ impl Moment<'_> {
         let flat = self.world_from_figure.inverse().then(self.flat);
         let yaw = yaw(flat.rotation);
         // The sole comes down about the heel.
-        let roll = flat.point(foot.heel) + DQuat::from_rotation_y(yaw) * (foot.roll - foot.heel);
+        let roll = flat.point(foot.heel) + axis_angle(DVec3::Y, yaw) * (foot.roll - foot.heel);
         Touch {
             ankle: flat.position,
             roll: DVec3::new(roll.x, flat.point(foot.roll).y, roll.z),
@@ -124,7 +124,7 @@ impl Target {
             return self.frame;
         }
         let about = |frame: Frame, point: DVec3, angle: f64| {
-            let rotation = frame.rotation * DQuat::from_rotation_x(angle);
+            let rotation = frame.rotation * axis_angle(DVec3::X, angle);
             Frame::new(rotation, frame.point(point) - rotation * point)
         };
         let down = angle.min(self.toes_up);
@@ -174,7 +174,7 @@ impl FootState {
         self.slip(flat, yaw, part, heel.max(ball), DVec3::new(shift.x, 0.0, shift.y), now.dt_secs);
         let at = level(flat[part]) + DVec2::new(self.slip.value.x, self.slip.value.z);
         let in_foot = if self.on_heel { foot.heel } else { foot.roll };
-        let turned = DQuat::from_rotation_y(yaw + self.slip.value.y);
+        let turned = axis_angle(DVec3::Y, yaw + self.slip.value.y);
         let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
         let fitted = Plane::under(ground, at, &print);
         let fitted = coming.map_or(fitted, |coming| coming.on_the_way(fitted));
@@ -182,7 +182,7 @@ impl FootState {
         let plane = self.plane;
         let normal = plane.normal();
         let rotation = DQuat::from_rotation_arc(DVec3::Y, normal)
-            * DQuat::from_rotation_y(self.slip.value.y)
+            * axis_angle(DVec3::Y, self.slip.value.y)
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
@@ -282,7 +282,7 @@ pub(super) struct Grip<'a> {
 }
 
 impl Grip<'_> {
-    /// Bends the leg so that the foot is at its target, and says where it is. Where the leg can't
+    /// Bends the leg so that the foot is at its target, and says where it then is. The state has seen the motion. Where the leg can't
     /// reach or the ankle can't bend so far, the heel comes up, and down again slowly.
     pub fn hold(
         &self,
@@ -294,7 +294,6 @@ impl Grip<'_> {
         sample: &mut Sample,
     ) -> Held {
         let leg = &self.footing.legs.sides[self.side];
-        state.haste.see(leg, &sample.angles, dt_secs);
         let bones = leg.bones().map(rig::Bone::index);
         let meant = bones.map(|bone| sample.angles[bone]);
         let needed = self.needed_rise(hips, target, bend, sample);
@@ -313,11 +312,11 @@ impl Grip<'_> {
             }
             self.solve(hips, target, rise, bend, sample);
         }
-        state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
-        let held = self.world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
+        let turns = state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
+        let frame = self.world_from_figure.then(leg.foot_held_by(hips, &turns));
         let foot = &self.footing.feet[self.side];
-        let sunk = target.raised(rise).point(foot.roll).y - held.point(foot.roll).y;
-        Held { frame: held, sunk_m: target.ball * sunk }
+        let sunk = target.raised(rise).point(foot.roll).y - frame.point(foot.roll).y;
+        Held { frame, sunk_m: target.ball * sunk }
     }
 
     /// Whether a foot's sole lies as it should.

@@ -1,6 +1,6 @@
 //! What placement needs of a figure, made ready once.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use rig::{Angles, Bone, Dof, Figure, Frame, Joint};
 
 use crate::{Leg, Legs, Sample, Sole, Soles};
@@ -52,6 +52,11 @@ impl Footing {
             hips: joint(Bone::Hips)?,
             spine: spine.into_iter().filter_map(joint).collect(),
         })
+    }
+
+    /// The turns of hip, knee and ankle, left and right.
+    pub fn turns(&self, sample: &Sample) -> [[DQuat; 3]; 2] {
+        [0, 1].map(|side| self.legs.sides[side].turns(&sample.angles))
     }
 
     /// The frame of a sample's hips in figure space.

@@ -22,9 +22,9 @@ pub(super) struct Haste {
 }
 
 impl Haste {
-    /// Takes in the motion's own joints.
-    pub fn see(&mut self, leg: &Leg, flat: &[Angles; Bone::COUNT], dt_secs: f64) {
-        let now = turns(leg, flat);
+    /// Takes in the turns of the motion's own joints.
+    pub fn see(&mut self, flat: &[DQuat; 3], dt_secs: f64) {
+        let now = with_shank(*flat);
         if dt_secs > 0.0 {
             let left = (-dt_secs / REMEMBERED_SECS).exp();
             for ((fastest, now), before) in self.fastest.iter_mut().zip(now).zip(self.flat) {
@@ -35,7 +35,7 @@ impl Haste {
     }
 
     /// Holds what a placed leg's joints turn since the last step to `times` the motion's fastest turn; the foot keeps its
-    /// rotation as far as its own turn allows. A step of no time isn't held.
+    /// rotation as far as its own turn allows. A step of no time isn't held. Returns the turns of hip, knee and ankle.
     pub fn hold(
         &mut self,
         leg: &Leg,
@@ -43,7 +43,7 @@ impl Haste {
         times: f64,
         angles: &mut [Angles; Bone::COUNT],
         dt_secs: f64,
-    ) {
+    ) -> [DQuat; 3] {
         let mut now = turns(leg, angles);
         if dt_secs > 0.0 {
             let rotation = hips.rotation * now[3] * now[2];
@@ -62,6 +62,7 @@ impl Haste {
         }
         self.placed = leg.bones().map(|bone| angles[bone.index()]);
         self.turned = now;
+        [now[0], now[1], now[2]]
     }
 
     /// The share of their ways that turns may go, 0 to 1.
@@ -84,7 +85,10 @@ impl Haste {
 
 /// The turns of hip, knee and ankle in their carriers, and of the shank against the hips.
 fn turns(leg: &Leg, angles: &[Angles; Bone::COUNT]) -> [DQuat; 4] {
-    let [hip, knee, foot] = leg.turns(angles);
+    with_shank(leg.turns(angles))
+}
+
+fn with_shank([hip, knee, foot]: [DQuat; 3]) -> [DQuat; 4] {
     [hip, knee, foot, hip * knee]
 }
 

@@ -108,14 +108,7 @@ pub(super) struct Coming {
 impl Landing {
     /// Goes on by a step: `held` is how firmly the foot holds, 0 to 1, `ball` how firmly its ball does, and `plane` what
     /// it holds on to.
-    pub fn step(
-        &mut self,
-        held: f64,
-        ball: f64,
-        plane: Plane,
-        now: &Moment<'_>,
-        foot: &Foot,
-    ) {
+    pub fn step(&mut self, held: f64, ball: f64, plane: Plane, now: &Moment<'_>, foot: &Foot) {
         let (down, at_once, dt_secs) = (held > 0.5, now.at_once, now.dt_secs);
         if at_once {
             *self = Landing { down, ..Landing::default() };
@@ -210,7 +203,11 @@ impl Way {
         let (behind, before) = (reach(behind), reach(before));
         let across = |i: isize| {
             let at = way.from + along * (i as f64 * piece);
-            [-1.0, 0.0, 1.0].map(|k| at + aside * k).map(|p| ground.height(p.x, p.y)).into_iter().fold(f64::MIN, f64::max)
+            [-1.0, 0.0, 1.0]
+                .map(|k| at + aside * k)
+                .map(|p| ground.height(p.x, p.y))
+                .into_iter()
+                .fold(f64::MIN, f64::max)
         };
         let mut heights = [0.0; 3 * KNOTS + 1];
         for i in -behind..=KNOTS as isize + before {
@@ -237,7 +234,8 @@ impl Way {
             return to;
         }
         let here = ((at - self.from).dot(along) / length).clamp(0.0, 1.0);
-        let mut heights = self.tops.map(|top| if top > from.min(to) + CLEARS_M { top + CLEARS_M } else { top });
+        let mut heights =
+            self.tops.map(|top| if top > from.min(to) + CLEARS_M { top + CLEARS_M } else { top });
         (heights[0], heights[KNOTS]) = (from, to);
         taut(&heights, here).max(taut(&heights, here.max(progress * UP_FIRST).min(1.0)))
     }
@@ -307,7 +305,8 @@ impl Coming {
 fn shift(ground: &Ground, at: DVec2, along: DVec2, sole: &[DVec2; Sole::COUNT]) -> DVec2 {
     let tip = sole[Sole::TOES] + along * ROOM_M[0];
     let heel = sole[Sole::HEEL] - along * ROOM_M[1];
-    let aside = |i: usize| sole[i] + along.perp() * along.perp().dot(sole[i] - sole[i - i % 3]).signum() * ROOM_M[2];
+    let aside =
+        |i: usize| sole[i] + along.perp() * along.perp().dot(sole[i] - sole[i - i % 3]).signum() * ROOM_M[2];
     let room = [tip, heel, aside(1), aside(2), aside(4), aside(5), aside(7), aside(8)];
     // A point more that is carried is worth its way; the foot rather stays where it is.
     let worth = |off: DVec2| {

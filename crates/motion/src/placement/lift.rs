@@ -1,6 +1,6 @@
 //! Feet that a blend puts below flat ground: the legs' angles blend, so feet are not quite where a blend of feet would be.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::Footing;
 use crate::{FootGoal, Sample};
@@ -10,10 +10,13 @@ const SINKS_M: f64 = 0.001;
 
 /// Raises feet that are more than a millimetre below flat ground at height 0 until their lowest point is so; knees keep their side and ranges are
 /// kept. Feet above stay as they are, bit for bit. Never allocates.
-pub fn lift_feet(footing: &Footing, sample: &mut Sample) {
+///
+/// Returns the turns of hip, knee and ankle, left and right.
+pub fn lift_feet(footing: &Footing, sample: &mut Sample) -> [[DQuat; 3]; 2] {
     let hips = footing.hips(sample);
-    for (leg, foot) in footing.legs.sides.iter().zip(&footing.feet) {
-        let ankle = leg.ankle_and_foot(hips, &sample.angles);
+    let mut turns = footing.turns(sample);
+    for ((leg, foot), turns) in footing.legs.sides.iter().zip(&footing.feet).zip(&mut turns) {
+        let ankle = leg.foot_held_by(hips, turns);
         let toes = ankle.then(foot.toes_in_foot(leg, sample));
         // Only heights are asked for: how a frame's own axes rise.
         let rises = [ankle, toes].map(|frame| (frame.position.y, frame.rotation.conjugate() * DVec3::Y));
@@ -24,8 +27,11 @@ pub fn lift_feet(footing: &Footing, sample: &mut Sample) {
         let lowest = foot.points.iter().map(height).fold(f64::INFINITY, f64::min);
         if lowest < -SINKS_M {
             let bend = leg.bend(&sample.angles);
-            let goal = FootGoal { ankle: ankle.position - DVec3::Y * (lowest + SINKS_M), rotation: ankle.rotation };
+            let goal =
+                FootGoal { ankle: ankle.position - DVec3::Y * (lowest + SINKS_M), rotation: ankle.rotation };
             leg.solve(hips, &goal, &bend, 0.0, &mut sample.angles);
+            *turns = leg.turns(&sample.angles);
         }
     }
+    turns
 }

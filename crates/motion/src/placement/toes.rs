@@ -58,8 +58,7 @@ pub(super) fn bend(
     footing: &Footing,
     side: usize,
     ground: &Ground,
-    world_from_figure: &Frame,
-    hips: Frame,
+    world_from_foot: Frame,
     target: &Target,
     state: &mut ToesState,
     times: f64,
@@ -71,7 +70,6 @@ pub(super) fn bend(
     let Some(range) = toes.joint.range(Dof::Flexion) else { return };
     let bone = leg.toes_bone().index();
     let was = sample.angles[bone];
-    let world_from_foot = world_from_figure.then(leg.ankle_and_foot(hips, &sample.angles));
     let tip_at = |flexion: f64, frame: Frame| {
         let angles = rig::Angles { flexion, ..was };
         frame.point(foot_from_toes(toes, angles).point(toes.tip))
