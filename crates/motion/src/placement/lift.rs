@@ -6,9 +6,9 @@ use super::Footing;
 use crate::{FootGoal, Sample};
 
 /// Feet so little below the ground are left, metres: clips themselves have them there.
-const SINKS_M: f64 = 0.001;
+const SINKS_M: f64 = 0.0005;
 
-/// Raises feet that are more than a millimetre below flat ground at height 0 until their lowest point is so; knees keep their side and ranges are
+/// Raises feet that are more than half a millimetre below flat ground at height 0 until their lowest point is so; knees keep their side and ranges are
 /// kept. Feet above stay as they are, bit for bit. Never allocates.
 ///
 /// Returns the turns of hip, knee and ankle, left and right.
