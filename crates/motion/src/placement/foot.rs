@@ -16,7 +16,7 @@ use crate::{Bearing, Bend, FootGoal, Ground, Leg, Sample};
 /// How quickly what a held foot had against the motion fades as it swings, 1/s.
 const SLIP_FADES: f64 = 16.0;
 /// How quickly the plane that it stood on fades into that of the ground below, 1/s.
-const PLANE_FADES: f64 = 22.0;
+const PLANE_FADES: f64 = 30.0;
 /// What a foot's plane goes up or down at once, at most, metres.
 const JUMP_M: f64 = 0.05;
 /// So near the ground a plane may be held, metres.
