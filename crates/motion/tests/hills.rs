@@ -1,4 +1,4 @@
-//! The shipped walk over uneven ground: soles stand on it, don't slide, and no joint turns fast.
+//! The shipped walk over uneven ground: soles stand on it, clear its edges, don't slide, and no joint turns fast.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // helpers of tests may unwrap, and show what was measured
 
@@ -8,12 +8,14 @@ mod walking;
 use motion::{Ground, GroundKind, Summary};
 use walking::{Walk, flat_survey, line, measured};
 
-/// What the issue asks of a walk on hills, but for the share of stance.
-fn stands(what: &str, s: &Summary) {
+/// What the issue asks of a walk on hills, but for the share of stance; and how deep a foot that isn't down may be in the
+/// ground, millimetres.
+fn stands(what: &str, s: &Summary, swing_mm: f64) {
     println!("{}", line(what, s));
     assert!(s.penetration_mm <= 10.0 && s.mean_penetration_mm <= 3.0, "{what}: {s:?}");
     assert!(s.float_mm <= 10.0 && s.mean_float_mm <= 3.0, "{what}: {s:?}");
     assert!(s.slide_mm <= 8.0, "{what}: {s:?}");
+    assert!(s.swing_penetration_mm <= swing_mm, "{what}: {s:?}");
     assert!(s.pop_ratio <= 1.5, "{what}: {s:?}");
     // Flat ground has 0.26: uphill beyond what ankles bend to, heels come up early.
     assert!(s.stance_share >= 0.16, "{what}: {s:?}");
@@ -27,7 +29,7 @@ fn on_hills_up_to_25_degrees_the_mannequin_stands_and_keeps_every_range() {
         let ground = GroundKind::Hills.ground(seed);
         let mut walk = Walk::new("mannequin").at_speed(1.4);
         let survey = walk.survey_in_range(&ground, 60.0);
-        stands(&format!("hills {seed}"), &survey.summary(Some(&flat)));
+        stands(&format!("hills {seed}"), &survey.summary(Some(&flat)), 10.0);
     }
 }
 
@@ -43,7 +45,8 @@ fn without_placement_feet_are_decimetres_in_the_hills_and_above_them() {
 fn every_preset_walks_the_same_hills() {
     for name in ["child", "elderly", "heroic", "man", "woman"] {
         let s = measured(name, &GroundKind::Hills.ground(1), 30.0, None, true);
-        stands(name, &s);
+        // Child, man and woman 9, elderly 14, heroic 18.
+        stands(name, &s, 19.0);
     }
 }
 
@@ -55,23 +58,38 @@ fn on_flat_ground_placement_changes_next_to_nothing() {
     assert!(s.pop_ratio < 1.1 && s.hips_drop_m[0] > -0.006 && s.stance_share > 0.2, "{s:?}");
 }
 
-#[test]
-fn stones_carry_whole_soles_for_the_most_part() {
-    let s = measured("mannequin", &GroundKind::Stones.ground(1), 30.0, Some(1.4), true);
-    let off = measured("mannequin", &GroundKind::Stones.ground(1), 30.0, Some(1.4), false);
-    println!("{}\n{}", line("stones", &s), line("stones, off", &off));
-    assert!(s.slide_mm <= 8.0 && s.pop_ratio <= 1.5, "{s:?}");
-    // A point over a gap hangs in the air, the rest of its sole stands.
-    assert!(s.mean_penetration_mm <= 3.0 && s.mean_float_mm < 0.5 * off.mean_float_mm, "{s:?}");
-    assert!(s.mean_penetration_mm < 0.1 * off.mean_penetration_mm, "{s:?} {off:?}");
+/// What holds over steps, but for how deep a foot that isn't down may be in the ground, millimetres.
+fn passes_steps(what: &str, s: &Summary, swing_mm: f64) {
+    println!("{}", line(what, s));
+    assert!(s.swing_penetration_mm <= swing_mm, "{what}: {s:?}");
+    assert!(s.pop_ratio <= 1.5 && s.slide_mm <= 8.0, "{what}: {s:?}");
+    // A point over an edge hangs in the air, the rest of its sole stands.
+    assert!(s.penetration_mm <= 10.0 && s.mean_penetration_mm <= 0.5, "{what}: {s:?}");
+    assert!(s.mean_float_mm <= 7.0, "{what}: {s:?}");
 }
 
 #[test]
-fn on_stairs_feet_come_down_on_treads() {
-    let s = measured("mannequin", &GroundKind::Stairs.ground(1), 30.0, Some(1.4), true);
-    println!("{}", line("stairs", &s));
-    assert!(s.mean_penetration_mm <= 3.0 && s.mean_float_mm <= 5.0, "{s:?}");
-    assert!(s.penetration_mm <= 15.0, "{s:?}");
+fn over_stones_feet_clear_edges_and_come_down_on_tops() {
+    for seed in 1..=3 {
+        for speed in [1.4, 1.0] {
+            let s = measured("mannequin", &GroundKind::Stones.ground(seed), 30.0, Some(speed), true);
+            passes_steps(&format!("stones {seed} {speed}"), &s, 15.0);
+            assert!(s.stance_share >= 0.21, "{s:?}");
+        }
+    }
+    let off = measured("mannequin", &GroundKind::Stones.ground(1), 30.0, Some(1.4), false);
+    println!("{}", line("stones, off", &off));
+    assert!(off.swing_penetration_mm > 50.0 && off.mean_penetration_mm > 10.0, "{off:?}");
+}
+
+#[test]
+fn on_stairs_toes_clear_the_risers_and_feet_come_down_on_treads() {
+    for speed in [1.4, 1.0] {
+        let s = measured("mannequin", &GroundKind::Stairs.ground(1), 30.0, Some(speed), true);
+        // A foot that rolls off leaves its print by as much; through a riser it would be 150.
+        passes_steps(&format!("stairs {speed}"), &s, 26.0);
+        assert!(s.mean_float_mm <= 3.0 && s.stance_share >= 0.12, "{s:?}");
+    }
 }
 
 #[test]
