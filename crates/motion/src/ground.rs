@@ -107,7 +107,7 @@ impl GroundKind {
     pub fn ground(self, seed: u64) -> Ground {
         match self {
             GroundKind::Flat => Ground::Flat,
-            GroundKind::Slope => Ground::Slope(Slope::new(15.0, 0.0)),
+            GroundKind::Slope => Ground::Slope(Slope::new(10.0, 0.0)),
             GroundKind::Hills => {
                 Ground::Hills(Arc::new(Hills::new(&HillsShape { seed, ..HillsShape::default() })))
             }
