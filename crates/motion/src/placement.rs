@@ -158,12 +158,13 @@ pub(crate) fn place_turned_feet(
         let going = Going::on(state.place, &level, dt_secs, at_once);
         let after = |secs: f64| going.after(secs);
         state.place = level;
+        let steps = ground.has_steps();
         let moments = [0, 1].map(|side| {
             let leg = &footing.legs.sides[side];
             foot::Moment {
                 flat: flat[side],
                 bearing: sample.bearing[side],
-                toes: footing.feet[side].toes_in_foot(leg, sample),
+                toes: if steps { footing.feet[side].toes_in_foot(leg, sample) } else { Frame::IDENTITY },
                 world_from_figure: &world_from_figure,
                 hip: leg.hip(flat_hips),
                 reach: settings.reach(leg, &bends[side]),

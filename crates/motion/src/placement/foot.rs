@@ -68,7 +68,7 @@ pub(super) struct Moment<'a> {
     /// `world_from_foot` of the motion on flat ground.
     pub flat: Frame,
     pub bearing: Bearing,
-    /// `foot_from_toes` of the motion.
+    /// `foot_from_toes` of the motion; asked for over steps only.
     pub toes: Frame,
     pub world_from_figure: &'a Frame,
     /// The hip's joint over flat ground, figure space.

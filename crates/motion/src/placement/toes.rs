@@ -14,6 +14,8 @@ const STRAIGHTENS: f64 = 12.0;
 const STEP_M: (f64, f64) = (0.03, 0.06);
 /// Rounds of Newton's rule; the second is below a tenth of a degree.
 const ROUNDS: usize = 3;
+/// A tip that is so near to where it should be is there, metres.
+const NEAR_M: f64 = 1e-4;
 /// What a motion that was seen for a moment only is taken to bend toes by at most, degrees a second.
 const AT_LEAST: f64 = 100.0;
 /// What toes that the ball doesn't hold bend up at most, degrees.
@@ -79,14 +81,18 @@ pub(super) fn bend(
     let level = |p: glam::DVec3| glam::DVec2::new(p.x, p.z);
     let above = meant.y - target.plane.height_at(level(meant));
     let mut flexion = was.flexion;
-    for _ in 0..ROUNDS {
-        let (tip, ahead) = (tip_at(flexion, world_from_foot), tip_at(flexion + 1.0, world_from_foot));
+    let rounds = if target.ball > 0.0 { ROUNDS } else { 0 };
+    for _ in 0..rounds {
+        let tip = tip_at(flexion, world_from_foot);
         let plane = target.plane.height_at(level(tip));
         let step = ground.height(tip.x, tip.z) - plane;
         // Toes bend to the ground, but not up or down a step.
         let bump = step * (1.0 - smooth(step.abs(), STEP_M.0, STEP_M.1));
         let off = tip.y - plane - bump - above;
-        let sinks = tip.y - ahead.y;
+        if off.abs() < NEAR_M {
+            break;
+        }
+        let sinks = tip.y - tip_at(flexion + 1.0, world_from_foot).y;
         if sinks > 1e-6 {
             flexion += (off / sinks).clamp(-40.0, 40.0);
         }
@@ -95,8 +101,11 @@ pub(super) fn bend(
     let tip = tip_at(was.flexion, world_from_foot);
     let deep = ground.height(tip.x, tip.z) - tip.y;
     let in_ground = deep > 0.0 && deep < STEP_M.1;
-    let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
-    let lifts = if in_ground && sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
+    let mut lifts = 0.0;
+    if in_ground {
+        let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
+        lifts = if sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
+    }
     let goal = lifts + target.ball * (flexion - was.flexion - lifts);
     let follows = if lifts < 0.0 { 1.0 } else { target.ball };
     let quickness = STRAIGHTENS + follows * (BENDS - STRAIGHTENS);
