@@ -8,14 +8,14 @@ mod walking;
 use motion::{Ground, GroundKind, Summary};
 use walking::{Walk, flat_survey, line, measured};
 
-/// What the issue asks of a walk on hills, but for the share of stance; and how deep a foot that isn't down may be in the
-/// ground, millimetres.
-fn stands(what: &str, s: &Summary, swing_mm: f64) {
+/// What the issue asks of a walk on hills, but for the share of stance; and that feet which aren't down
+/// clear it, too.
+fn stands(what: &str, s: &Summary) {
     println!("{}", line(what, s));
     assert!(s.penetration_mm <= 10.0 && s.mean_penetration_mm <= 3.0, "{what}: {s:?}");
     assert!(s.float_mm <= 10.0 && s.mean_float_mm <= 3.0, "{what}: {s:?}");
     assert!(s.slide_mm <= 8.0, "{what}: {s:?}");
-    assert!(s.swing_penetration_mm <= swing_mm, "{what}: {s:?}");
+    assert!(s.swing_penetration_mm <= 10.0, "{what}: {s:?}");
     assert!(s.pop_ratio <= 1.5, "{what}: {s:?}");
     // Flat ground has 0.26: uphill beyond what ankles bend to, heels come up early.
     assert!(s.stance_share >= 0.16, "{what}: {s:?}");
@@ -29,7 +29,7 @@ fn on_hills_up_to_25_degrees_the_mannequin_stands_and_keeps_every_range() {
         let ground = GroundKind::Hills.ground(seed);
         let mut walk = Walk::new("mannequin").at_speed(1.4);
         let survey = walk.survey_in_range(&ground, 60.0);
-        stands(&format!("hills {seed}"), &survey.summary(Some(&flat)), 10.0);
+        stands(&format!("hills {seed}"), &survey.summary(Some(&flat)));
     }
 }
 
@@ -45,8 +45,7 @@ fn without_placement_feet_are_decimetres_in_the_hills_and_above_them() {
 fn every_preset_walks_the_same_hills() {
     for name in ["child", "elderly", "heroic", "man", "woman"] {
         let s = measured(name, &GroundKind::Hills.ground(1), 30.0, None, true);
-        // Child, man and woman 9, elderly 14, heroic 18.
-        stands(name, &s, 19.0);
+        stands(name, &s);
     }
 }
 
@@ -73,7 +72,7 @@ fn over_stones_feet_clear_edges_and_come_down_on_tops() {
     for seed in 1..=3 {
         for speed in [1.4, 1.0] {
             let s = measured("mannequin", &GroundKind::Stones.ground(seed), 30.0, Some(speed), true);
-            passes_steps(&format!("stones {seed} {speed}"), &s, 15.0);
+            passes_steps(&format!("stones {seed} {speed}"), &s, 10.0);
             assert!(s.stance_share >= 0.21, "{s:?}");
         }
     }
@@ -87,7 +86,7 @@ fn on_stairs_toes_clear_the_risers_and_feet_come_down_on_treads() {
     for speed in [1.4, 1.0] {
         let s = measured("mannequin", &GroundKind::Stairs.ground(1), 30.0, Some(speed), true);
         // A foot that rolls off leaves its print by as much; through a riser it would be 150.
-        passes_steps(&format!("stairs {speed}"), &s, 26.0);
+        passes_steps(&format!("stairs {speed}"), &s, 24.0);
         assert!(s.mean_float_mm <= 3.0 && s.stance_share >= 0.12, "{s:?}");
     }
 }

@@ -31,6 +31,7 @@ const RESERVE: f64 = 0.03;
 /// How quickly a heel that has to rise does so, and how quickly it comes down again, 1/s.
 const RISES: f64 = 55.0;
 const FALLS: f64 = 12.0;
+const ROLLING_FALLS: f64 = 30.0;
 /// The most by which a heel rises, and by which it does so to help a leg reach, radians.
 const MOST_RISE: f64 = 0.7;
 const REACH_RISE: f64 = 0.3;
@@ -300,7 +301,9 @@ impl Grip<'_> {
         // Toes that are up come down at once; a heel that is off the ground goes back to it slowly.
         let at_once = dt_secs == 0.0;
         let rolled = (needed - target.toes_up).max(0.0);
-        let quickness = if rolled > state.rise.value { RISES } else { FALLS };
+        // A foot that rolls off has its heel up anyway.
+        let falls = FALLS + target.rolls * (ROLLING_FALLS - FALLS);
+        let quickness = if rolled > state.rise.value { RISES } else { falls };
         state.rise.follow(rolled, quickness, dt_secs, at_once);
         state.rise.value = state.rise.value.max(0.0);
         state.lower.follow(needed - rolled, RISES, dt_secs, at_once);
