@@ -76,9 +76,9 @@ impl Default for Choice {
             seed: 1,
             steepest_deg: 20.0,
             wavelength_m: 4.0,
-            slope_deg: 12.0,
-            rise_m: 0.17,
-            going_m: 0.29,
+            slope_deg: 10.0,
+            rise_m: 0.15,
+            going_m: 0.37,
             file: None,
         }
     }

@@ -22,7 +22,8 @@ impl Stairs {
     /// Stairs of so many risers a flight (1 to 1000) of a height (within 0 and 0.5 m), treads of a depth and landings
     /// of a length (both within 0.1 and 100 m). Numbers that are none count as the least.
     pub fn new(rise_m: f64, going_m: f64, risers: u32, landing_m: f64) -> Stairs {
-        let held = |value: f64, low: f64, high: f64| if value.is_nan() { low } else { value.clamp(low, high) };
+        let held =
+            |value: f64, low: f64, high: f64| if value.is_nan() { low } else { value.clamp(low, high) };
         Stairs {
             rise_m: held(rise_m, 0.0, 0.5),
             going_m: held(going_m, 0.1, 100.0),

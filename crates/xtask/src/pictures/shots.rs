@@ -79,6 +79,17 @@ const fn chain(file: &'static str) -> Tile {
     tile(file, "--size 300x260", [10, 10, 280, 240])
 }
 
+/// The walk without foot placement and with it, from the left.
+macro_rules! beside {
+    ($options:literal) => {
+        tile(
+            STANDING,
+            concat!("--ui --size 600x450 --walk-marks solepoints --do WalkBeside,Panel,Left ", $options),
+            [0, 60, 600, 358],
+        )
+    };
+}
+
 /// Every picture.
 pub const TABLE: &[Picture] = &[
     Picture {
@@ -105,6 +116,20 @@ pub const TABLE: &[Picture] = &[
         name: "chain-window.png",
         columns: 1,
         tiles: &[tile("assets/scripts/excavator-dig.script.ron", "--ui --size 960x600", [0, 0, 960, 600])],
+    },
+    Picture {
+        name: "walk-window.png",
+        columns: 1,
+        tiles: &[tile(
+            STANDING,
+            "--ui --size 960x600 --walked 3.2 --walk-on hills --walk-marks hiptofoot,hipsdrop,footprints",
+            [0, 0, 960, 600],
+        )],
+    },
+    Picture {
+        name: "walk-beside.png",
+        columns: 2,
+        tiles: &[beside!("--walked 6.1 --walk-on hills"), beside!("--walked 2.5 --walk-on stairs")],
     },
     Picture {
         name: "light.png",
