@@ -295,8 +295,6 @@ impl Grip<'_> {
         sample: &mut Sample,
     ) -> Held {
         let leg = &self.footing.legs.sides[self.side];
-        let bones = leg.bones().map(rig::Bone::index);
-        let meant = bones.map(|bone| sample.angles[bone]);
         let needed = self.needed_rise(hips, target, bend, sample);
         // Toes that are up come down at once; a heel that is off the ground goes back to it slowly.
         let at_once = dt_secs == 0.0;
@@ -309,12 +307,8 @@ impl Grip<'_> {
         state.lower.follow(needed - rolled, RISES, dt_secs, at_once);
         state.lower.value = state.lower.value.clamp(0.0, target.toes_up);
         let rise = state.lower.value + state.rise.value;
-        if needed > 0.0 || rise > 0.0 {
-            for (bone, angles) in bones.into_iter().zip(meant) {
-                sample.angles[bone] = angles;
-            }
-            self.solve(hips, target, rise, bend, sample);
-        }
+        let softness = self.settings.softness_m(leg);
+        leg.solve(hips, &self.goal(target, rise), bend, softness, &mut sample.angles);
         let turns = state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
         let frame = self.world_from_figure.then(leg.foot_held_by(hips, &turns));
         let foot = &self.footing.feet[self.side];
@@ -328,13 +322,13 @@ impl Grip<'_> {
         [foot.heel, foot.ball].iter().all(|p| frame.point(*p).distance(target.frame.point(*p)) < ON_PLANE_M)
     }
 
-    /// The least angle by which the heel has to rise, radians; leaves the leg solved for none, if that does.
-    fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, tried: &mut Sample) -> f64 {
+    /// The least angle by which the heel has to rise, radians.
+    fn needed_rise(&self, hips: Frame, target: &Target, bend: &Bend, flat: &Sample) -> f64 {
         let leg = &self.footing.legs.sides[self.side];
         let hip = self.world_from_figure.point(leg.hip(hips));
         let may = REACH_RISE * target.rolls.max(target.ball);
         let mut rise = target.rise_to_reach(hip, self.settings.reach(leg, bend)).min(may);
-        let mut beyond = self.solve(hips, target, rise, bend, tried) + RESERVE;
+        let mut beyond = self.beyond(hips, target, rise, bend, flat) + RESERVE;
         if beyond <= 0.0 {
             return rise;
         }
@@ -342,7 +336,7 @@ impl Grip<'_> {
         let (mut low, mut low_beyond) = (rise, beyond);
         rise += 1.3 * beyond;
         for _ in 0..ROUNDS {
-            beyond = self.beyond(hips, target, rise, bend, tried) + RESERVE;
+            beyond = self.beyond(hips, target, rise, bend, flat) + RESERVE;
             if beyond.abs() < NEAR || (beyond - low_beyond).abs() < 1e-9 {
                 break;
             }
@@ -353,19 +347,8 @@ impl Grip<'_> {
         rise
     }
 
-    /// Bends the leg for a foot with its heel raised by an angle, and says how far the ankle's flexion is beyond its
-    /// range, radians; negative: how much is left.
-    fn solve(&self, hips: Frame, target: &Target, rise: f64, bend: &Bend, sample: &mut Sample) -> f64 {
-        let leg = &self.footing.legs.sides[self.side];
-        let foot = leg.limb().parts().end.index();
-        let was = sample.angles[foot];
-        let goal = self.goal(target, rise);
-        let softness = self.settings.softness_m(leg);
-        let miss = leg.solve(hips, &goal, bend, softness, &mut sample.angles);
-        beyond_range(leg, was.flexion, sample.angles[foot].flexion + miss.foot_beyond.flexion)
-    }
-
-    /// What [`Grip::solve`] says, without bending the leg.
+    /// How far the ankle's flexion is beyond its range with the heel raised by an angle, radians; negative: how much is
+    /// left.
     fn beyond(&self, hips: Frame, target: &Target, rise: f64, bend: &Bend, sample: &Sample) -> f64 {
         let leg = &self.footing.legs.sides[self.side];
         let was = sample.angles[leg.limb().parts().end.index()];
