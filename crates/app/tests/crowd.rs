@@ -49,9 +49,9 @@ fn a_crowd_walks_into_pictures_the_same_each_time_with_as_many_draws_for_more() 
     assert_eq!(few["walkers"], 40);
     assert_eq!(few["bodies"][0]["vertices"], 6000, "a light skin");
     let bytes = |name: &str| fs::read(folder.path().join(name)).unwrap();
-    assert_ne!(bytes("few-0.png"), bytes("few-1.png"), "they move");
+    assert_ne!(bytes("few-1.png"), bytes("few-2.png"), "they move");
     assert_eq!(walk(folder.path(), "again-%d.png", "40"), few);
-    assert_eq!(bytes("few-1.png"), bytes("again-1.png"));
+    assert_eq!(bytes("few-2.png"), bytes("again-2.png"));
     let more = walk(folder.path(), "more-%d.png", "80");
     assert_eq!(more["picture"]["draw_calls"], few["picture"]["draw_calls"]);
     let uploaded = |report: &Value| report["picture"]["uploaded_bytes"].as_u64().unwrap();
