@@ -2,6 +2,7 @@
 
 mod chain;
 mod clip;
+mod fit;
 mod ground;
 mod relative;
 mod robot;
@@ -20,9 +21,10 @@ pub use chain::{
     chain_editor, chain_of, open_chain, save as save_chain, script as chain_script, shows_chain,
 };
 pub use clip::{clip, pose_at};
+pub use fit::{Makers, fit};
 pub use ground::ground;
 pub use robot::{chain, robot};
-pub use tree::{fit, tree};
+pub use tree::tree;
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

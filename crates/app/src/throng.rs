@@ -76,13 +76,13 @@ impl Throng {
         let half_m = ((count as f32 * ROOM_M2).sqrt() * 0.5 + 3.0).min(FARTHEST_M);
         let heights = Arc::new(Heights::of(ground, half_m, CELL_M));
         let vertices = vertices_for(count);
-        let mut kinds = Vec::new();
+        let (mut makers, mut kinds) = (load::Makers::default(), Vec::new());
         for (i, figure) in figures.iter().enumerate() {
             // Every n-th figure has the same body.
             let own = (count + figures.len() - 1 - i) / figures.len();
             if own > 0 {
                 let seed = seed.wrapping_add((i as u64) << 32);
-                let crowd = crowd(figure, clips, own, half_m, seed)?;
+                let crowd = crowd(figure, clips, &mut makers, own, half_m, seed)?;
                 kinds.push(Kind { figure: figure.clone(), mesh: light(figure, vertices)?, crowd });
             }
         }
@@ -161,6 +161,7 @@ fn light(figure: &Figure, vertices: usize) -> Result<Arc<Mesh>, Failure> {
 fn crowd(
     figure: &Arc<Figure>,
     clips: &[Clip],
+    makers: &mut load::Makers,
     count: usize,
     half_m: f32,
     seed: u64,
@@ -168,7 +169,7 @@ fn crowd(
     let legless = || Failure::Input(format!("{}: a figure without legs can't walk", figure.name));
     let mut gaits = Vec::new();
     for clip in clips {
-        gaits.extend(gaits_of(&load::fit(clip, figure)?, figure));
+        gaits.extend(gaits_of(&makers.fit(clip, figure)?, figure));
     }
     let shape = CrowdFigure::of(figure).ok_or_else(legless)?;
     let gaits = Gaits::new(figure, &gaits).ok_or_else(legless)?;

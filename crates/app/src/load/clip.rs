@@ -15,11 +15,15 @@ use crate::library::clips;
 /// # Errors
 /// A file at fault: where and why.
 pub fn clip(path: &Path) -> Result<Clip, Failure> {
-    let text = match clips::text(&path.to_string_lossy()) {
-        Some(found) => found.map(str::to_owned).map_err(Failure::Input)?,
-        None => read_text(path)?,
-    };
-    motion::parse_clip(&text).map_err(|fault| at(path, &fault))
+    motion::parse_clip(&motion_text(path)?).map_err(|fault| at(path, &fault))
+}
+
+/// The text of a clip's or a tree's file, or of one that comes with the program.
+pub(super) fn motion_text(path: &Path) -> Result<String, Failure> {
+    match clips::text(&path.to_string_lossy()) {
+        Some(found) => found.map(str::to_owned).map_err(Failure::Input),
+        None => read_text(path),
+    }
 }
 
 /// The pose of a figure in a clip that was fitted to it, after so many seconds: where the clip has carried it, over level
