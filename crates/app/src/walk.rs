@@ -289,9 +289,11 @@ impl Walk {
 
     /// The ground's piece under a figure that is posed, if it is to be shown there.
     pub fn under_pose(&mut self, at: DVec3, distance: f32, bright: bool) -> Option<Underfoot> {
+        if !self.ground_in_pose {
+            return None;
+        }
         self.terrain.follow();
-        let shown = self.ground_in_pose;
-        self.pose_patch.around(&self.terrain, at, distance, bright).filter(|_| shown).cloned()
+        self.pose_patch.around(&self.terrain, at, distance, bright).cloned()
     }
 
     /// A frame: time goes on by what has passed since the last one, steered by what is wished for.

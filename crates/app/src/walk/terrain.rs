@@ -84,7 +84,7 @@ impl Default for Choice {
     }
 }
 
-/// Ground that was made of a choice. Changes as the choice does.
+/// Ground that is made of a choice, when it is first followed and whenever the choice changes; level before.
 #[derive(Clone, Debug)]
 pub struct Terrain {
     /// What is chosen.
@@ -99,9 +99,8 @@ pub struct Terrain {
 
 impl Default for Terrain {
     fn default() -> Terrain {
-        let choice = Choice::default();
-        let ground = made(&choice);
-        Terrain { made: choice.clone(), choice, ground, read: None, revision: 0 }
+        let made = Choice { kind: Kind::Flat, ..Choice::default() };
+        Terrain { choice: Choice::default(), made, ground: Ground::Flat, read: None, revision: 0 }
     }
 }
 
