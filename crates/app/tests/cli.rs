@@ -2,51 +2,18 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
+mod shell;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::PathBuf;
+use std::process::Command;
 
 use serde_json::Value;
-
-fn posewright(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
-    command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
-    command.output().expect("the program starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the program ends by itself")
-}
-
-fn said(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("a plain path")
-}
+use shell::{Folder, code, posewright, said, text};
 
 fn script(name: &str) -> String {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../assets/scripts").join(name);
     text(&path).to_owned()
-}
-
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::tempdir().expect("a temporary folder"))
-    }
-
-    fn file(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.path(name);
-        fs::write(&path, content).expect("a file is written");
-        path
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
 }
 
 #[test]
@@ -212,7 +179,7 @@ fn what_an_output_can_t_hold_is_wrong_usage_and_said() {
         assert_eq!(code(&output), 2, "{name} {options:?}: {}", said(&output));
         assert!(said(&output).contains(words), "{name} {options:?}: {}", said(&output));
     }
-    assert_eq!(folder.0.path().read_dir().unwrap().count(), 0, "nothing is written");
+    assert_eq!(folder.root().read_dir().unwrap().count(), 0, "nothing is written");
 }
 
 #[test]
@@ -226,7 +193,7 @@ fn without_ffmpeg_an_mp4_is_told_with_the_cure() {
     assert_eq!(code(&output), 1);
     assert!(said(&output).contains("apt install ffmpeg"), "{}", said(&output));
     assert_eq!(fs::read(&film).unwrap(), b"former");
-    assert_eq!(folder.0.path().read_dir().unwrap().count(), 1, "nothing half is left");
+    assert_eq!(folder.root().read_dir().unwrap().count(), 1, "nothing half is left");
 }
 
 #[cfg(unix)]
@@ -238,7 +205,7 @@ fn a_film_that_is_stopped_leaves_the_former_one_and_nothing_beside_it() {
         let film = folder.file(name, "former");
         let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
         let mut program = command.args(small(&table, text(&film), &["--turntable", "9000"])).spawn().unwrap();
-        let others = || folder.0.path().read_dir().unwrap().count() > 1;
+        let others = || folder.root().read_dir().unwrap().count() > 1;
         for _ in 0..600 {
             if others() {
                 break;
@@ -251,7 +218,7 @@ fn a_film_that_is_stopped_leaves_the_former_one_and_nothing_beside_it() {
         assert_eq!(program.wait().unwrap().code(), Some(130), "{name}");
         assert_eq!(fs::read(&film).unwrap(), b"former");
         fs::remove_file(&film).unwrap();
-        assert_eq!(folder.0.path().read_dir().unwrap().count(), 0, "{name}: nothing half is left");
+        assert_eq!(folder.root().read_dir().unwrap().count(), 0, "{name}: nothing half is left");
     }
 }
 

@@ -2,17 +2,13 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
+mod shell;
+
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use serde_json::Value;
-
-fn posewright(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
-    command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
-    command.output().expect("the program starts")
-}
+use shell::{code, posewright, said};
 
 /// Walks the mannequin's crowd on a slope, two small pictures.
 fn walk(folder: &Path, name: &str, count: &str) -> Value {
@@ -38,7 +34,7 @@ fn walk(folder: &Path, name: &str, count: &str) -> Value {
         "-o",
     ];
     let done = posewright(&[&arguments[..], &[output.to_str().unwrap()]].concat());
-    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    assert_eq!(code(&done), 0, "{}", said(&done));
     serde_json::from_slice(&done.stdout).expect("JSON")
 }
 
@@ -68,8 +64,8 @@ fn what_a_crowd_can_t_do_is_said() {
         (&["--crowd", "9", "--seconds", "1", "-o", "x.png"], "several frames need"),
     ] {
         let done = posewright(&[&["walk"], arguments].concat());
-        let said = String::from_utf8_lossy(&done.stderr);
-        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {said}");
+        let said = said(&done);
+        assert_eq!(code(&done), 2, "{arguments:?}: {said}");
         assert!(said.contains(words), "{arguments:?}: {said}");
     }
 }

@@ -2,29 +2,14 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may unwrap too
 
+mod shell;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Output;
 
 use serde_json::Value;
-
-fn posewright(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_posewright"));
-    command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
-    command.output().expect("the program starts")
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the program ends by itself")
-}
-
-fn said(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn text(path: &Path) -> &str {
-    path.to_str().expect("a plain path")
-}
+use shell::{Folder, code, posewright, said, text};
 
 fn record(output: &Output) -> Value {
     assert_eq!(code(output), 0, "{}", said(output));
@@ -38,25 +23,6 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn near(found: &Value, expected: &[f64]) -> bool {
     let found = numbers(found);
     found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9)
-}
-
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::tempdir().expect("a temporary folder"))
-    }
-
-    fn file(&self, name: &str, content: &str) -> PathBuf {
-        let path = self.path(name);
-        fs::create_dir_all(path.parent().unwrap()).expect("a folder is made");
-        fs::write(&path, content).expect("a file is written");
-        path
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
 }
 
 const GRIPPER: &str = r#"<robot name="gripper">
@@ -151,7 +117,7 @@ fn broken_robots_end_with_exit_code_1_and_their_place() {
         ("</robot>", "", ":1:", "is not closed"),
     ];
     for (from, to, place, sentence) in cases {
-        let urdf = folder.file("broken.urdf", &GRIPPER.replacen(from, to, 1));
+        let urdf = folder.file("broken.urdf", GRIPPER.replacen(from, to, 1));
         for task in [&["inspect", "--json"][..], &["check"]] {
             let output = posewright(&[task, &[text(&urdf)]].concat());
             assert_eq!(code(&output), 1, "{to}");
@@ -202,7 +168,7 @@ fn robots_and_chains_become_each_other() {
     }
     folder.file("meshes/base.stl", STL);
     let elsewhere = folder.file("elsewhere/x.chain.ron", "");
-    let named = folder.file("named.urdf", &GRIPPER.replace("package://gripper/", ""));
+    let named = folder.file("named.urdf", GRIPPER.replace("package://gripper/", ""));
     assert_eq!(code(&posewright(&["convert", text(&named), text(&elsewhere)])), 0);
     let chain = fs::read_to_string(&elsewhere).unwrap();
     assert!(chain.contains("../meshes/base.stl"), "meshes are named from the new place: {chain}");
@@ -226,12 +192,12 @@ fn a_chain_file_is_inspected_with_its_own_values_and_checked() {
         near(&straight["links"]["b"]["position"], &[1.0, 0.0, 0.0]),
         "values named on the command line count alone"
     );
-    let broken = folder.file("broken.chain.ron", &text_of.replace("(-90, 90)", "(90, -90)"));
+    let broken = folder.file("broken.chain.ron", text_of.replace("(-90, 90)", "(90, -90)"));
     let output = posewright(&["check", text(&chain), text(&broken)]);
     assert_eq!(code(&output), 1);
     assert!(said(&output).contains("broken.chain.ron:2:"), "{}", said(&output));
     // What is wrong in the file that it names is told of that file.
-    folder.file("gripper.urdf", &GRIPPER.replace("lower=\"-1\"", "lower=\"3\""));
+    folder.file("gripper.urdf", GRIPPER.replace("lower=\"-1\"", "lower=\"3\""));
     let by_name = folder.file("named.chain.ron", "(version: 1, urdf: \"gripper.urdf\")");
     assert!(said(&posewright(&["check", text(&by_name)])).contains("gripper.urdf:5:"));
 }
