@@ -12,7 +12,7 @@ use super::stances::{palette, relaxed};
 /// Bones with flexion, abduction and twist in degrees.
 type Turns = &'static [(Bone, [f64; 3])];
 
-/// One sheet: a row of four views for each of its stances, about a point that goes along with a bone.
+/// One sheet: a row of views for each of its stances, about a point that goes along with a bone.
 struct Sheet {
     name: &'static str,
     /// Whether arms hang at first.
@@ -22,11 +22,32 @@ struct Sheet {
     off: [f64; 3],
     height: f64,
     stances: &'static [Turns],
-    views: [(f64, f64); 4],
+    views: [(f64, f64); 8],
 }
 
-const TILE: u32 = 300;
-const ROUND: [(f64, f64); 4] = [(0.0, 0.0), (50.0, 15.0), (120.0, 5.0), (180.0, 5.0)];
+const TILE: u32 = 260;
+/// Yaw and pitch of the eight views: all around, from above and from below in turn.
+const ROUND: [(f64, f64); 8] = [
+    (0.0, 0.0),
+    (45.0, 20.0),
+    (90.0, 0.0),
+    (135.0, -25.0),
+    (180.0, 0.0),
+    (-135.0, 25.0),
+    (-90.0, -10.0),
+    (-45.0, -35.0),
+];
+/// The same about an arm that is stretched out aside.
+const ROLL: [(f64, f64); 8] = [
+    (0.0, 0.0),
+    (30.0, 30.0),
+    (0.0, 89.0),
+    (150.0, 30.0),
+    (180.0, 0.0),
+    (150.0, -30.0),
+    (0.0, -89.0),
+    (30.0, -30.0),
+];
 
 /// Writes the sheets whose names begin with `only` into a folder.
 ///
@@ -52,7 +73,9 @@ pub fn write(mesh: &Mesh, skeleton: &Skeleton, folder: &Path, only: &str) -> any
             }));
         }
         let path = folder.join(format!("extremes-{}.png", sheet.name));
-        tiled(&pictures, 4).save(&path).with_context(|| format!("cannot write {}", path.display()))?;
+        tiled(&pictures, sheet.views.len() as u32)
+            .save(&path)
+            .with_context(|| format!("cannot write {}", path.display()))?;
     }
     Ok(())
 }
@@ -68,7 +91,7 @@ fn posed(mesh: &Mesh, palette: &rig::Palette) -> Model {
 }
 
 use Bone::{
-    Chest, Head, Jaw, LeftFoot, LeftHand, LeftIndexDistal, LeftIndexIntermediate, LeftIndexProximal,
+    Chest, Head, Jaw, LeftEye, LeftFoot, LeftHand, LeftIndexDistal, LeftIndexIntermediate, LeftIndexProximal,
     LeftLittleDistal, LeftLittleIntermediate, LeftLittleProximal, LeftLowerArm, LeftLowerLeg,
     LeftMiddleDistal, LeftMiddleIntermediate, LeftMiddleProximal, LeftRingDistal, LeftRingIntermediate,
     LeftRingProximal, LeftShoulder, LeftThumbDistal, LeftThumbMetacarpal, LeftThumbProximal, LeftToes,
@@ -140,7 +163,7 @@ const SHEETS: &[Sheet] = &[
             &[(LeftLowerArm, [150.0, 0.0, 0.0])],
             &[(LeftLowerArm, [0.0, 0.0, -160.0])],
         ],
-        views: [(0.0, 0.0), (0.0, 80.0), (60.0, -20.0), (180.0, 10.0)],
+        views: ROLL,
     },
     Sheet {
         name: "wrist",
@@ -155,7 +178,7 @@ const SHEETS: &[Sheet] = &[
             &[(LeftHand, [0.0, 20.0, 0.0])],
             &[(LeftHand, [80.0, 20.0, 0.0]), (LeftLowerArm, [0.0, 0.0, -160.0])],
         ],
-        views: [(0.0, 0.0), (0.0, 70.0), (0.0, -70.0), (180.0, 10.0)],
+        views: ROLL,
     },
     Sheet {
         name: "fingers",
@@ -185,7 +208,7 @@ const SHEETS: &[Sheet] = &[
                 (LeftThumbDistal, [85.0, 0.0, 0.0]),
             ],
         ],
-        views: [(0.0, 80.0), (0.0, -80.0), (20.0, 10.0), (80.0, -20.0)],
+        views: ROLL,
     },
     Sheet {
         name: "hip",
@@ -205,7 +228,7 @@ const SHEETS: &[Sheet] = &[
             &[(LeftUpperLeg, [0.0, 0.0, -45.0])],
             &[(LeftUpperLeg, [81.0, 81.0, 0.0]), (LeftLowerLeg, [90.0, 0.0, 0.0])],
         ],
-        views: [(0.0, 0.0), (45.0, -35.0), (90.0, 0.0), (170.0, -15.0)],
+        views: ROUND,
     },
     Sheet {
         name: "knee",
@@ -218,7 +241,7 @@ const SHEETS: &[Sheet] = &[
             &[(LeftLowerLeg, [135.0, 0.0, 0.0])],
             &[(LeftLowerLeg, [155.0, 0.0, 0.0])],
         ],
-        views: [(0.0, 0.0), (50.0, 10.0), (90.0, 0.0), (180.0, -10.0)],
+        views: ROUND,
     },
     Sheet {
         name: "foot",
@@ -234,7 +257,7 @@ const SHEETS: &[Sheet] = &[
             &[(LeftToes, [-65.0, 0.0, 0.0])],
             &[(LeftToes, [40.0, 0.0, 0.0])],
         ],
-        views: [(0.0, 10.0), (90.0, 0.0), (-90.0, 0.0), (180.0, 10.0)],
+        views: ROUND,
     },
     Sheet {
         name: "neck",
@@ -248,6 +271,20 @@ const SHEETS: &[Sheet] = &[
             &[(Neck, [-30.0, 0.0, 0.0]), (Head, [-30.0, 0.0, 0.0])],
             &[(Neck, [0.0, 22.0, 0.0]), (Head, [0.0, 22.0, 0.0])],
             &[(Jaw, [25.0, 0.0, 0.0])],
+        ],
+        views: ROUND,
+    },
+    Sheet {
+        name: "eyes",
+        hanging: true,
+        focus: Head,
+        off: [0.0, 0.065, 0.08],
+        height: 0.14,
+        stances: &[
+            &[(LeftEye, [30.0, 0.0, 0.0])],
+            &[(LeftEye, [-30.0, 0.0, 0.0])],
+            &[(LeftEye, [0.0, 40.0, 0.0])],
+            &[(LeftEye, [0.0, -40.0, 0.0])],
         ],
         views: ROUND,
     },
