@@ -81,8 +81,14 @@ pub fn eye(f: &Fit, head: &mut Part) {
         ]),
     );
     head.cut(0.0018, f.slit(EYE, EYE_RADIUS, EYE_RADIUS - 0.0020, &LIDS));
-    // The inner corner's little knob.
-    head.add(0.0016, f.ball([x - 0.0128, y - 0.0023, z + 0.0052], [0.0024; 3]));
+    // The inner corner's little knob, and the fold that leans from it on the eyeball.
+    head.add(
+        0.0016,
+        f.strand(&[
+            [x - 0.0132, y - 0.0023, z + 0.0054, 0.0026],
+            [x - 0.0112, y - 0.0023, z + 0.0064, 0.0024],
+        ]),
+    );
 }
 
 fn nose(f: &Fit, head: &mut Part) {

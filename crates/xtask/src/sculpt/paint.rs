@@ -106,7 +106,7 @@ fn lashes(p: DVec3) -> f64 {
 /// The moist inner corner of the eye.
 fn corner(p: DVec3) -> f64 {
     let d = p - DVec3::from(EYE);
-    ease(0.0046, 0.0024, d.distance(DVec3::new(-0.0128, -0.0023, 0.0052)))
+    ease(0.0050, 0.0028, d.distance(DVec3::new(-0.0122, -0.0023, 0.0060)))
 }
 
 fn brow(p: DVec3) -> f64 {

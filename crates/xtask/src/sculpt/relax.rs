@@ -1,6 +1,6 @@
 //! Mends weights: poses the half mesh at the ends of its ranges and as the shipped poses have it, and changes the
 //! weights as little and as smoothly as will do wherever a triangle is turned inside out or nearly so,
-//! or a thigh swells.
+//! or a limb swells.
 
 use glam::DVec3;
 use rig::{Bone, Mesh, Skeleton, bone_of_place, spread_twist};
