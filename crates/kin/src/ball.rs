@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DQuat, DVec3};
 
+use crate::arc_tangent;
 use crate::axis_angle::{axis_angle, scaled_axis};
 
 /// The axes of a ball joint: rotation = swing(flexion, abduction) then, innermost, twist.
@@ -54,6 +55,9 @@ impl Ball {
     }
 }
 
+/// Squares below this have lost bits.
+const TINY: f64 = 1e-290;
+
 /// Splits a rotation into `swing * twist` about a unit axis: the swing, whose scalar part is not
 /// negative, and the twist's angle in (-pi, pi].
 ///
@@ -64,14 +68,15 @@ pub fn swing_twist(rotation: DQuat, axis: DVec3) -> (DQuat, f64) {
     let v = DVec3::new(q.x, q.y, q.z);
     let along = v.dot(axis);
     // The cosine of half the swing.
-    let upright = along.hypot(q.w);
+    let square = along * along + q.w * q.w;
+    let upright = if square > TINY { square.sqrt() } else { along.hypot(q.w) };
     if upright == 0.0 {
         return (q, 0.0);
     }
     let (sine, cosine) = (along / upright, q.w / upright);
     let across = v - axis * along;
     let swing = across * cosine - across.cross(axis) * sine;
-    let twist = 2.0 * sine.atan2(cosine);
+    let twist = 2.0 * arc_tangent(along, q.w);
     (DQuat::from_xyzw(swing.x, swing.y, swing.z, upright), if twist <= -PI { PI } else { twist })
 }
 
@@ -81,5 +86,9 @@ pub(crate) fn rotation_vector(q: DQuat) -> DVec3 {
     let v = DVec3::new(q.x, q.y, q.z);
     let sine = v.length();
     // Below the smallest sine whose square is a normal number, angle / sine is 2 / w to the last bit.
-    if sine < 1e-150 { v * (2.0 / q.w.max(f64::MIN_POSITIVE)) } else { v * (2.0 * sine.atan2(q.w) / sine) }
+    if sine < 1e-150 {
+        v * (2.0 / q.w.max(f64::MIN_POSITIVE))
+    } else {
+        v * (2.0 * arc_tangent(sine, q.w) / sine)
+    }
 }

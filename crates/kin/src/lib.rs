@@ -4,6 +4,7 @@
 //! `docs/conventions.md` and `docs/sources.md`.
 
 mod aim;
+mod arc_tangent;
 mod axis_angle;
 mod ball;
 mod bounded_step;
@@ -23,6 +24,7 @@ mod settle;
 mod spine;
 
 pub use aim::{AIM_STEPS, AIM_TOLERANCE_RAD, AimError};
+pub use arc_tangent::arc_tangent;
 pub use axis_angle::axis_angle;
 pub use ball::{Ball, swing_twist};
 pub use carrier::Carrier;

@@ -7,8 +7,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
+use crate::axis_angle::{axis_angle, sin_cos};
 use crate::carrier::{arc, half_turn};
-use crate::{Carrier, Interval};
+use crate::{Carrier, Interval, arc_tangent};
 
 /// The fixed geometry of a limb, in its limb frame: origin at the root joint, any rest direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -169,12 +170,12 @@ impl Limb {
 
     /// The articulator in the limb frame, given where it is in the hinge's frame (limb axes at rest).
     pub fn articulator(&self, state: &LimbState, in_hinge: DVec3) -> DVec3 {
-        state.root * (self.hinge_at_rest + DQuat::from_axis_angle(self.axis, state.hinge) * in_hinge)
+        state.root * (self.hinge_at_rest + axis_angle(self.axis, state.hinge) * in_hinge)
     }
 
     /// How the articulator goes as the hinge bends, metres a radian, limb frame.
     pub(crate) fn along_hinge(&self, state: &LimbState, in_hinge: DVec3) -> DVec3 {
-        state.root * self.axis.cross(DQuat::from_axis_angle(self.axis, state.hinge) * in_hinge)
+        state.root * self.axis.cross(axis_angle(self.axis, state.hinge) * in_hinge)
     }
 
     /// The half turn of the hinge that is a branch, with the whole turns of an angle, and as much more as holds that.
@@ -247,7 +248,7 @@ impl Limb {
         // (near + i far)^2 has the angle g + psi, (y + i z) has psi: one arc tangent of the quotient.
         let (far, near) = (to_far.max(0.0), to_near.max(0.0));
         let (sine, cosine) = (branch.sign() * 2.0 * (far.sqrt() * near.sqrt()), near - far);
-        let angle = (sine * local.y - cosine * local.z).atan2(cosine * local.y + sine * local.z);
+        let angle = arc_tangent(sine * local.y - cosine * local.z, cosine * local.y + sine * local.z);
         Ok(HingeSolution { angle: if angle <= -PI { PI } else { angle }, span })
     }
 
@@ -311,7 +312,7 @@ impl Limb {
         let bent = self.rest * (root.conjugate() * articulator);
         let [carrier, inner] = self.frame_of(bent, articulator / distance);
         let about_y = carrier.conjugate() * root * inner.conjugate();
-        let elevation = wrapped(2.0 * about_y.y.atan2(about_y.w));
+        let elevation = wrapped(2.0 * arc_tangent(about_y.y, about_y.w));
         let (along, beside) = (bent.y - self.upper, bent.z);
         let branch = branch(beside / length(along, beside));
         Ok((LimbGoal { target: articulator, elevation, branch }, [carrier, inner]))
@@ -325,7 +326,7 @@ impl Limb {
 
     /// sin(g + psi): 0 where the limb is straight or folded to its articulator and angles are loose.
     pub fn bend_sine(&self, in_hinge: DVec3, hinge: f64) -> f64 {
-        self.sine(in_hinge, hinge.sin_cos())
+        self.sine(in_hinge, sin_cos(hinge))
     }
 
     fn sine(&self, in_hinge: DVec3, (sine, cosine): (f64, f64)) -> f64 {
@@ -335,7 +336,7 @@ impl Limb {
 
     /// The articulator in the upper segment's frame with the hinge at an angle, upper along +y.
     pub(crate) fn bent(&self, in_hinge: DVec3, hinge: f64) -> DVec3 {
-        self.turned(in_hinge, hinge.sin_cos())
+        self.turned(in_hinge, sin_cos(hinge))
     }
 
     /// As [`Limb::bent`], given the sine and cosine of the hinge's angle.
@@ -356,7 +357,7 @@ impl Limb {
 
 /// The root's rotation from what [`Limb::frame_of`] gives and the elevation.
 pub(crate) fn root([carrier, inner]: [DQuat; 2], elevation: f64) -> DQuat {
-    (carrier * DQuat::from_rotation_y(elevation) * inner).normalize()
+    (carrier * axis_angle(DVec3::Y, elevation) * inner).normalize()
 }
 
 fn branch(bend_sine: f64) -> Branch {

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::arc_tangent;
+
 /// A closed interval; the unit is its user's. Empty intervals can't be built.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Interval {
@@ -67,7 +69,7 @@ impl Cone {
 
     /// The angle of a unit direction from the axis, radians; accurate at 0 and at pi.
     pub fn angle(self, direction: DVec3) -> f64 {
-        self.axis.cross(direction).length().atan2(self.axis.dot(direction))
+        arc_tangent(self.axis.cross(direction).length(), self.axis.dot(direction))
     }
 
     /// Whether the unit direction lies inside by more than `-slack` radians.

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DQuat, DVec3};
-use kin::{Ball, Branch, Interval, LimbGoal, LimbState, RootRange, softened};
+use kin::{Ball, Branch, Interval, LimbGoal, LimbRanges, LimbState, RootRange, arc_tangent, softened};
 use rig::{Angles, Articulation, Bone, Dof, Figure, Frame, Joint, Limb, LimbRig};
 
 /// Both legs of a figure, made ready to solve once.
@@ -42,7 +42,8 @@ pub struct Bend {
     /// From hip to ankle, metres.
     pub distance: f64,
     branch: Branch,
-    from: LimbState,
+    /// The leg's ranges, stretched to hold it as it is.
+    ranges: LimbRanges,
 }
 
 /// Where a foot should be, in figure space.
@@ -66,6 +67,13 @@ pub struct LegMiss {
     pub leg_stopped: bool,
     /// Flexion, abduction and twist of the ankle: how far the goal lies beyond each range, degrees, signed.
     pub foot_beyond: Angles,
+}
+
+/// A leg that was bent.
+pub(crate) struct Bent {
+    pub miss: LegMiss,
+    /// Of hip, knee and ankle, each in its carrier.
+    pub turns: [DQuat; 3],
 }
 
 impl Leg {
@@ -148,9 +156,13 @@ impl Leg {
         match read(from, in_knee).or_else(|_| read(rest, self.ankle_in_knee)) {
             Ok((goal, from)) => {
                 let distance = goal.target.length();
-                Bend { elevation: goal.elevation, distance, branch: goal.branch, from }
+                let ranges = self.rig.ranges.reaching(&from);
+                Bend { elevation: goal.elevation, distance, branch: goal.branch, ranges }
             }
-            Err(_) => Bend { elevation: 0.0, distance: self.full, branch: Branch::Plus, from: rest },
+            Err(_) => {
+                let ranges = self.rig.ranges.reaching(&rest);
+                Bend { elevation: 0.0, distance: self.full, branch: Branch::Plus, ranges }
+            }
         }
     }
 
@@ -168,26 +180,44 @@ impl Leg {
         softness_m: f64,
         angles: &mut [Angles; Bone::COUNT],
     ) -> LegMiss {
+        self.bent_to(figure_from_hips, goal, bend, softness_m, angles).miss
+    }
+
+    /// As [`Leg::solve`], with the joints' turns.
+    pub(crate) fn bent_to(
+        &self,
+        figure_from_hips: Frame,
+        goal: &FootGoal,
+        bend: &Bend,
+        softness_m: f64,
+        angles: &mut [Angles; Bone::COUNT],
+    ) -> Bent {
+        let unbent = |angles: &[Angles; Bone::COUNT]| Bent {
+            miss: LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() },
+            turns: self.turns(angles),
+        };
         let parts = self.rig.limb.parts();
         let shin = angles[parts.hinge.index()];
         let in_knee = self.in_knee(shin);
         let wanted = self.rig.target_in_limb(figure_from_hips.inverse().point(goal.ankle));
         let Some((state, stopped)) = self.reached(in_knee, wanted, bend, softness_m) else {
-            return LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() };
+            return unbent(angles);
         };
         let base_from_root = self.rig.root_in_base(state.root);
         let [flexion, abduction, twist] = self.hip.angles(base_from_root).map(f64::to_degrees);
         let knee = state.hinge.to_degrees();
         if !(flexion + abduction + twist + knee).is_finite() {
-            return LegMiss { ankle_m: f64::INFINITY, ..LegMiss::default() };
+            return unbent(angles);
         }
         write(&mut angles[parts.root.index()], Angles { flexion, abduction, twist });
         write(&mut angles[parts.hinge.index()], Angles { flexion: knee, ..shin });
-        let shank =
-            figure_from_hips.rotation * base_from_root * self.knee.rotation(Angles { flexion: knee, ..shin });
+        let knee = self.knee.rotation(Angles { flexion: knee, ..shin });
+        let shank = figure_from_hips.rotation * base_from_root * knee;
         let reached = self.rig.kin.articulator(&state, in_knee);
         let miss = LegMiss { ankle_m: reached.distance(wanted), leg_stopped: stopped, ..LegMiss::default() };
-        self.turn_foot(shank.conjugate() * goal.rotation, &mut angles[parts.end.index()], miss)
+        let foot = &mut angles[parts.end.index()];
+        let (foot, miss) = self.turn_foot(shank.conjugate() * goal.rotation, foot, miss);
+        Bent { miss, turns: [base_from_root, knee, foot] }
     }
 
     /// The flexion that the ankle needs for a goal, degrees, its range aside: what [`Leg::solve`] finds on its way, for
@@ -231,7 +261,7 @@ impl Leg {
         if !(direct.root.is_finite() && direct.hinge.is_finite()) {
             return None;
         }
-        let ranges = self.rig.ranges.reaching(&bend.from);
+        let ranges = &bend.ranges;
         if ranges.contains(&direct, 1e-9) {
             return Some((direct, false));
         }
@@ -277,13 +307,13 @@ impl Leg {
         let parts = self.rig.limb.parts();
         let [hip, knee, _] = self.turns(angles);
         let shank = figure_from_hips.rotation * hip * knee;
-        self.turn_foot(shank.conjugate() * rotation, &mut angles[parts.end.index()], LegMiss::default())
+        self.turn_foot(shank.conjugate() * rotation, &mut angles[parts.end.index()], LegMiss::default()).1
     }
 
-    /// Turns the foot as far as the ankle goes toward a rotation seen from the shank.
-    fn turn_foot(&self, shank_from_foot: DQuat, foot: &mut Angles, mut miss: LegMiss) -> LegMiss {
+    /// Turns the foot as far as the ankle goes toward a rotation seen from the shank, and gives the ankle's turn.
+    fn turn_foot(&self, shank_from_foot: DQuat, foot: &mut Angles, mut miss: LegMiss) -> (DQuat, LegMiss) {
         let Some(wanted) = hinge_angles(&self.foot.articulation, shank_from_foot, *foot) else {
-            return miss;
+            return (self.foot.rotation(*foot), miss);
         };
         let mut held = *foot;
         for dof in Dof::ALL {
@@ -293,10 +323,12 @@ impl Leg {
             miss.foot_beyond.set(dof, angle - inside);
             held.set(dof, inside);
         }
-        let off = self.foot.rotation(held).conjugate() * shank_from_foot;
-        miss.foot_degrees = (2.0 * DVec3::new(off.x, off.y, off.z).length().atan2(off.w.abs())).to_degrees();
+        let turn = self.foot.rotation(held);
+        let off = turn.conjugate() * shank_from_foot;
+        let half = arc_tangent(DVec3::new(off.x, off.y, off.z).length(), off.w.abs());
+        miss.foot_degrees = (2.0 * half).to_degrees();
         write(foot, held);
-        miss
+        (turn, miss)
     }
 
     fn hip_turn(&self, angles: Angles) -> DQuat {

@@ -32,7 +32,9 @@ pub use ground::{
     Ground, GroundKind, GroundPoint, Hills, HillsShape, Rise, Sheet, SheetError, Slope, Stairs, Stones,
 };
 pub use leg::{Bend, FootGoal, Leg, LegMiss, Legs};
-pub use placement::{FeetState, FootView, Footing, PlacementSettings, lift_feet, place_feet, stand};
+pub use placement::{
+    FeetState, FootView, Footing, PlacedFoot, Placement, PlacementSettings, lift_feet, stand,
+};
 pub use sample::{Bearing, Sample};
 pub use soles::{Sole, Soles};
 pub use steering::{Parameter, Steering};

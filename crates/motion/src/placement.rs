@@ -94,6 +94,19 @@ impl FeetState {
 }
 
 /// A foot as it was placed.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct PlacedFoot {
+    /// Whether the whole sole stands on the ground and bears weight.
+    pub stance: bool,
+    /// The ankle's joint as the motion on flat ground has it, metres, world.
+    pub animated_ankle_in_world: DVec3,
+    /// Where it was placed.
+    pub world_from_foot: Frame,
+    /// How far the hips went down beyond the rise of the ground around, metres, 0 or less.
+    pub hips_drop: f64,
+}
+
+/// A foot as it was placed, and the ground under it: what is shown and measured of it.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct FootView {
     /// Whether the whole sole stands on the ground and bears weight.
@@ -110,54 +123,78 @@ pub struct FootView {
     pub hips_drop: f64,
 }
 
-/// Bends a sample of a motion over flat ground so that its feet stand on the ground, a time step after the last.
-///
-/// `place` is where the figure now stands; its height is left out of account. Ranges are kept. A step of no time, or the
-/// first with a fresh state, places feet and hips at once, without easing. Deterministic; no allocation once the
-/// views have grown.
-#[allow(clippy::too_many_arguments)] // a node's inputs, its state and its outputs
-pub fn place_feet(
-    footing: &Footing,
-    ground: &Ground,
-    place: &Place,
-    sample: &mut Sample,
-    settings: &PlacementSettings,
-    state: &mut FeetState,
-    dt_secs: f64,
-    views: &mut [FootView; 2],
-) {
-    let turns = footing.turns(sample);
-    place_turned_feet(footing, ground, place, sample, &turns, settings, state, dt_secs, views);
+/// What places a figure's feet on some ground.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Placement<'a> {
+    /// Of the figure.
+    pub footing: &'a Footing,
+    /// Where it walks.
+    pub ground: &'a Ground,
+    /// How feet are placed.
+    pub settings: &'a PlacementSettings,
 }
 
-/// As [`place_feet`], given the turns of the sample's hips, knees and ankles.
-#[allow(clippy::too_many_arguments)] // a node's inputs, its state and its outputs
-pub(crate) fn place_turned_feet(
-    footing: &Footing,
-    ground: &Ground,
-    place: &Place,
-    sample: &mut Sample,
-    turns: &[[DQuat; 3]; 2],
-    settings: &PlacementSettings,
-    state: &mut FeetState,
-    dt_secs: f64,
-    views: &mut [FootView; 2],
-) {
-    let level = Place { position: DVec3::new(place.position.x, 0.0, place.position.z), ..*place };
-    let world_from_figure = level.world_from_figure();
-    let flat_hips = footing.hips(sample);
-    let flat = [0, 1]
-        .map(|side| world_from_figure.then(footing.legs.sides[side].foot_held_by(flat_hips, &turns[side])));
-    let dt_secs = if dt_secs.is_finite() && state.begun { dt_secs.clamp(0.0, 0.25) } else { 0.0 };
-    let at_once = !state.begun || dt_secs == 0.0;
-    let mut drop = 0.0;
-    let (mut frames, mut soles) = (flat, [true; 2]);
-    let sound = near(level.position) && flat.iter().all(|f| near(f.position) && f.rotation.is_finite());
-    if settings.on && sound {
+impl Placement<'_> {
+    /// Bends a sample of a motion over flat ground so that its feet stand on the ground, a time step after the last.
+    ///
+    /// `place` is where the figure now stands; its height is left out of account. Ranges are kept. A step of no time, or
+    /// the first with a fresh state, places feet and hips at once, without easing. Deterministic; no allocation. The feet
+    /// that it returns are left and right.
+    pub fn step(
+        &self,
+        place: &Place,
+        sample: &mut Sample,
+        state: &mut FeetState,
+        dt_secs: f64,
+    ) -> [PlacedFoot; 2] {
+        let turns = self.footing.turns(sample);
+        self.step_turned(place, sample, &turns, state, dt_secs)
+    }
+
+    /// As [`Placement::step`], given the turns of the sample's hips, knees and ankles.
+    pub(crate) fn step_turned(
+        &self,
+        place: &Place,
+        sample: &mut Sample,
+        turns: &[[DQuat; 3]; 2],
+        state: &mut FeetState,
+        dt_secs: f64,
+    ) -> [PlacedFoot; 2] {
+        let Placement { footing, settings, .. } = self;
+        let level = Place { position: DVec3::new(place.position.x, 0.0, place.position.z), ..*place };
+        let world_from_figure = level.world_from_figure();
+        let hips = footing.hips(sample);
+        let flat = [0, 1]
+            .map(|side| world_from_figure.then(footing.legs.sides[side].foot_held_by(hips, &turns[side])));
+        let sound = near(level.position) && flat.iter().all(|f| near(f.position) && f.rotation.is_finite());
+        let dt_secs = if dt_secs.is_finite() && state.begun { dt_secs.clamp(0.0, 0.25) } else { 0.0 };
+        let footed = Footed { frames: flat, drop: 0.0, lies: [true; 2] };
+        let footed = if settings.on && sound {
+            let at_once = !state.begun || dt_secs == 0.0;
+            let going = Going::on(state.place, &level, dt_secs, at_once);
+            state.place = level;
+            let motion = Motion { world_from_figure, hips, flat, turns, going, dt_secs, at_once };
+            self.bend(&motion, sample, state)
+        } else {
+            footed
+        };
+        [0, 1].map(|side| {
+            let bearing = sample.bearing[side];
+            PlacedFoot {
+                stance: bearing.heel >= STANDS && bearing.ball >= STANDS && footed.lies[side],
+                animated_ankle_in_world: flat[side].position,
+                world_from_foot: footed.frames[side],
+                hips_drop: footed.drop,
+            }
+        })
+    }
+
+    /// Bends hips, spine, legs and toes.
+    fn bend(&self, motion: &Motion<'_>, sample: &mut Sample, state: &mut FeetState) -> Footed {
+        let Placement { footing, ground, settings } = *self;
+        let &Motion { ref world_from_figure, hips, flat, turns, dt_secs, at_once, .. } = motion;
         let bends = [0, 1].map(|side| footing.legs.sides[side].bend_of(turns[side][0], &sample.angles));
-        let going = Going::on(state.place, &level, dt_secs, at_once);
-        let after = |secs: f64| going.after(secs);
-        state.place = level;
+        let after = |secs: f64| motion.going.after(secs);
         let steps = ground.has_steps();
         let moments = [0, 1].map(|side| {
             let leg = &footing.legs.sides[side];
@@ -165,49 +202,67 @@ pub(crate) fn place_turned_feet(
                 flat: flat[side],
                 bearing: sample.bearing[side],
                 toes: if steps { footing.feet[side].toes_in_foot(leg, sample) } else { Frame::IDENTITY },
-                world_from_figure: &world_from_figure,
-                hip: leg.hip(flat_hips),
+                world_from_figure,
+                hip: leg.hip(hips),
                 reach: settings.reach(leg, &bends[side]),
                 dt_secs,
                 at_once,
                 after: &after,
             }
         });
-        state.foresee(footing, &moments, going.velocity.length());
+        state.foresee(footing, &moments, motion.going.velocity.length());
         let targets = [0, 1].map(|side| state.feet[side].step(&footing.feet[side], ground, &moments[side]));
-        let around = hips::around(&world_from_figure, sample, &targets);
-        let reach = hips::Reach { footing, settings, world_from_figure: &world_from_figure, bends: &bends };
-        drop = reach.drop(flat_hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
+        let around = hips::around(world_from_figure, sample, &targets);
+        let reach = hips::Reach { footing, settings, world_from_figure, bends: &bends };
+        let mut drop = reach.drop(hips, around.height, &targets, &mut state.drop, dt_secs, at_once);
         sample.hips.y += around.height + drop;
         let lean = settings.lean.clamp(0.0, 1.0) * around.ahead_degrees.clamp(-30.0, 30.0);
         state.lean.follow(lean, 3.0, dt_secs, at_once);
         footing.lean(state.lean.value, sample);
         let placed_hips = footing.hips(sample);
+        let grips = [0, 1].map(|side| foot::Grip { footing, side, settings, world_from_figure });
         let held = [0, 1].map(|side| {
-            let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
             let foot = &mut state.feet[side];
             foot.haste.see(&turns[side], dt_secs);
-            grip.hold(placed_hips, &targets[side], &bends[side], foot, dt_secs, sample)
+            grips[side].hold(placed_hips, &targets[side], &bends[side], foot, dt_secs, sample)
         });
         // Hips don't go down faster than the legs below them fold.
         let up = hips::held_up(&targets, &held).min(-drop);
         state.drop.value += up;
         sample.hips.y += up;
         drop += up;
+        let frames = held.map(|held| Frame { position: held.frame.position + DVec3::Y * up, ..held.frame });
+        let lies = [0, 1].map(|side| grips[side].lies(frames[side], &targets[side]));
         for side in 0..2 {
-            let grip = foot::Grip { footing, side, settings, world_from_figure: &world_from_figure };
-            frames[side] = held[side].frame;
-            frames[side].position.y += up;
-            soles[side] = grip.lies(frames[side], &targets[side]);
-            let (toes, times) = (&mut state.feet[side].toes, settings.haste.max(1.0));
-            toes::bend(footing, side, ground, frames[side], &targets[side], toes, times, dt_secs, sample);
+            let toes = toes::Bending { footing, side, ground, times: settings.haste.max(1.0), dt_secs };
+            toes.bend(frames[side], &targets[side], &mut state.feet[side].toes, sample);
         }
         state.begun = true;
+        Footed { frames, drop, lies }
     }
-    for side in 0..2 {
-        let seen = Seen { flat: flat[side], drop, foot: frames[side], sole_is_down: soles[side] };
-        view(footing, side, ground, sample, &seen, &mut views[side]);
-    }
+}
+
+/// A motion over flat ground at a moment.
+struct Motion<'a> {
+    world_from_figure: Frame,
+    /// Of the hips, in figure space.
+    hips: Frame,
+    /// `world_from_foot`.
+    flat: [Frame; 2],
+    turns: &'a [[DQuat; 3]; 2],
+    going: Going,
+    dt_secs: f64,
+    at_once: bool,
+}
+
+/// What became of the feet.
+struct Footed {
+    /// `world_from_foot`.
+    frames: [Frame; 2],
+    /// Of the hips, metres.
+    drop: f64,
+    /// Whether each sole lies as it should.
+    lies: [bool; 2],
 }
 
 /// Whether a point is one with which to reckon.
@@ -240,30 +295,21 @@ impl Going {
     }
 }
 
-/// What a view tells besides the sample.
-struct Seen {
-    flat: Frame,
-    drop: f64,
-    foot: Frame,
-    sole_is_down: bool,
-}
-
 /// From here on a part of the sole counts as standing.
 const STANDS: f64 = 0.95;
 
-fn view(footing: &Footing, side: usize, ground: &Ground, sample: &Sample, seen: &Seen, view: &mut FootView) {
-    let leg = &footing.legs.sides[side];
-    let foot = seen.foot;
-    let toes = footing.feet[side].toes_in_foot(leg, sample);
-    view.sole_in_world.clear();
-    view.ground_under_sole.clear();
-    for at in footing.feet[side].sole_at(foot, toes) {
-        view.sole_in_world.push(at);
-        view.ground_under_sole.push(ground.height(at.x, at.z));
+impl PlacedFoot {
+    /// What is to be seen of it, given the sample that was bent.
+    pub fn view(&self, footing: &Footing, side: usize, ground: &Ground, sample: &Sample) -> FootView {
+        let toes = footing.feet[side].toes_in_foot(&footing.legs.sides[side], sample);
+        let sole = footing.feet[side].sole_at(self.world_from_foot, toes);
+        FootView {
+            stance: self.stance,
+            sole_in_world: sole.to_vec(),
+            ground_under_sole: sole.map(|at| ground.height(at.x, at.z)).to_vec(),
+            animated_ankle_in_world: self.animated_ankle_in_world,
+            ankle_in_world: self.world_from_foot.position,
+            hips_drop: self.hips_drop,
+        }
     }
-    let bearing = sample.bearing[side];
-    view.stance = bearing.heel >= STANDS && bearing.ball >= STANDS && seen.sole_is_down;
-    view.animated_ankle_in_world = seen.flat.position;
-    view.ankle_in_world = foot.position;
-    view.hips_drop = seen.drop;
 }

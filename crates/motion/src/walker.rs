@@ -6,8 +6,8 @@ use glam::{DQuat, DVec2, DVec3};
 use rig::{Figure, Place, Pose};
 
 use crate::{
-    Feather, FeetState, FootView, Footing, Ground, PlacementSettings, Sample, Steering, Travel, Tree,
-    TreeState, lift_feet, place_feet, placement::place_turned_feet,
+    Feather, FeetState, FootView, Footing, Ground, PlacedFoot, Placement, PlacementSettings, Sample,
+    Steering, Travel, Tree, TreeState, lift_feet,
 };
 
 /// Longer time steps count as this many seconds.
@@ -58,7 +58,8 @@ pub struct Walker {
     turns: [[DQuat; 3]; 2],
     placed: Sample,
     pose: Pose,
-    feet: [FootView; 2],
+    /// As they were placed in the last step.
+    feet: Option<[PlacedFoot; 2]>,
 }
 
 impl Walker {
@@ -77,7 +78,7 @@ impl Walker {
             turns: [[DQuat::IDENTITY; 3]; 2],
             placed: Sample::at_rest(&figure),
             pose: figure.rest_pose(),
-            feet: Default::default(),
+            feet: None,
             figure,
             tree,
         };
@@ -129,31 +130,27 @@ impl Walker {
         if switched == 0.0 {
             // Feet that are put down again stand where they then are.
             self.feet_state = FeetState::default();
-            self.placed.hips.y += height;
-            return self.look_at_feet(ground);
         }
-        let Some(footing) = &self.footing else {
+        let Some(footing) = self.footing.as_ref().filter(|_| switched > 0.0) else {
             self.placed.hips.y += height;
+            self.feet = None;
             return;
         };
         let settings = self.tree.placement().copied().unwrap_or_default();
+        let placement = Placement { footing, ground, settings: &settings };
         let (place, state) = (&self.pose.place, &mut self.feet_state);
-        let (placed, turns, feet) = (&mut self.placed, &self.turns, &mut self.feet);
-        place_turned_feet(footing, ground, place, placed, turns, &settings, state, dt_secs, feet);
+        let mut feet = placement.step_turned(place, &mut self.placed, &self.turns, state, dt_secs);
         if switched < 1.0 {
-            let (part, seen) = (Feather::Smooth.at(switched), [0, 1].map(|side| Seen::of(&self.feet[side])));
+            let part = Feather::Smooth.at(switched);
             toward(&mut self.placed, &self.flat, height, 1.0 - part);
-            self.look_at_feet(ground);
-            self.feet.iter_mut().zip(seen).for_each(|(foot, seen)| seen.put(foot, part));
+            let seen = look(footing, ground, place, &self.placed);
+            feet = [0, 1].map(|side| PlacedFoot {
+                animated_ankle_in_world: feet[side].animated_ankle_in_world,
+                hips_drop: feet[side].hips_drop * part,
+                ..seen[side]
+            });
         }
-    }
-
-    /// Tells where the feet are, and leaves them there.
-    fn look_at_feet(&mut self, ground: &Ground) {
-        let Some(footing) = &self.footing else { return };
-        let only_look = PlacementSettings { on: false, ..PlacementSettings::default() };
-        let (place, state) = (&self.pose.place, &mut FeetState::default());
-        place_feet(footing, ground, place, &mut self.placed, &only_look, state, 0.0, &mut self.feet);
+        self.feet = Some(feet);
     }
 
     /// The slope ahead, degrees, as it is felt: without jumps at the edges of steps.
@@ -202,9 +199,12 @@ impl Walker {
         self.pose.place
     }
 
-    /// The feet as they were placed, left and right.
-    pub fn feet(&self) -> &[FootView; 2] {
-        &self.feet
+    /// The feet as they are, left and right, and what is under them of the ground on which the figure made its last
+    /// step. Of a figure without feet there is nothing to be seen.
+    pub fn feet(&self, ground: &Ground) -> [FootView; 2] {
+        let Some(footing) = &self.footing else { return Default::default() };
+        let feet = self.feet.unwrap_or_else(|| look(footing, ground, &self.pose.place, &self.placed));
+        [0, 1].map(|side| feet[side].view(footing, side, ground, &self.placed))
     }
 
     /// The figure as its tree has it over flat ground, before the feet were placed.
@@ -215,7 +215,7 @@ impl Walker {
     /// How far the feet's placement has lowered the hips so that both legs reach, beyond the rise of the
     /// ground, metres; 0 or more.
     pub fn hips_drop_m(&self) -> f64 {
-        -self.feet[0].hips_drop
+        self.feet.map_or(0.0, |feet| -feet[0].hips_drop)
     }
 
     /// The clips with their weights, in the tree's order; layers are left out, the sum is 1.
@@ -244,21 +244,11 @@ impl Walker {
     }
 }
 
-/// What of a foot's view is the placement's own.
-struct Seen {
-    animated_ankle_in_world: DVec3,
-    hips_drop: f64,
-}
-
-impl Seen {
-    fn of(foot: &FootView) -> Seen {
-        Seen { animated_ankle_in_world: foot.animated_ankle_in_world, hips_drop: foot.hips_drop }
-    }
-
-    fn put(&self, foot: &mut FootView, part: f64) {
-        foot.animated_ankle_in_world = self.animated_ankle_in_world;
-        foot.hips_drop = self.hips_drop * part;
-    }
+/// Where the feet of a sample are that isn't bent.
+fn look(footing: &Footing, ground: &Ground, place: &Place, sample: &Sample) -> [PlacedFoot; 2] {
+    let settings = PlacementSettings { on: false, ..PlacementSettings::default() };
+    let placement = Placement { footing, ground, settings: &settings };
+    placement.step(place, &mut sample.clone(), &mut FeetState::default(), 0.0)
 }
 
 /// Takes a sample some part of the way to another that is raised.

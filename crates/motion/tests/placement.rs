@@ -8,8 +8,8 @@ mod walking;
 use figures::shipped;
 use glam::{DQuat, DVec3};
 use motion::{
-    Bearing, FeetState, FootView, Footing, Ground, GroundKind, PlacementSettings, Sample, Slope, Sole, Soles,
-    place_feet, stand,
+    Bearing, FeetState, Footing, Ground, GroundKind, Placement, PlacementSettings, Sample, Slope, Sole,
+    Soles, stand,
 };
 use rig::{Bone, Dof, Figure, Place, Pose, frames};
 use walking::Walk;
@@ -105,29 +105,20 @@ fn bad_numbers_break_nothing() {
                 5 => dt = bad,
                 _ => sample.angles[Bone::Hips.index()].twist = bad,
             }
-            let (mut state, mut views) = (FeetState::default(), <[FootView; 2]>::default());
-            let settings = PlacementSettings::default();
-            let mut start = sound.clone();
-            place_feet(
-                &footing,
-                &ground,
-                &Place::default(),
-                &mut start,
-                &settings,
-                &mut state,
-                0.0,
-                &mut views,
-            );
-            place_feet(&footing, &ground, &place, &mut sample, &settings, &mut state, dt, &mut views);
+            let (mut state, settings) = (FeetState::default(), PlacementSettings::default());
+            let placement = Placement { footing: &footing, ground: &ground, settings: &settings };
+            placement.step(&Place::default(), &mut sound.clone(), &mut state, 0.0);
+            placement.step(&place, &mut sample, &mut state, dt);
+            let mut off = f64::INFINITY;
             // What comes after is sound again.
             for _ in 0..200 {
                 let mut after = sound.clone();
-                let place = Place::default();
-                place_feet(&footing, &ground, &place, &mut after, &settings, &mut state, 0.02, &mut views);
+                let [left, _] = placement.step(&Place::default(), &mut after, &mut state, 0.02);
+                let left = left.view(&footing, 0, &ground, &after);
+                off = (left.sole_in_world[0].y - left.ground_under_sole[0]).abs();
                 let sum: f64 = after.angles.iter().map(|a| a.flexion + a.abduction + a.twist).sum();
                 assert!((sum + after.hips.y).is_finite(), "{bad} {which}");
             }
-            let off = (views[0].sole_in_world[0].y - views[0].ground_under_sole[0]).abs();
             assert!(off < 0.02, "{bad} {which}: {off}");
         }
     }
@@ -141,16 +132,17 @@ fn a_planted_foot_stays_while_the_figure_turns_on_it() {
     let pose = kneeling_a_little(&figure);
     let sample =
         Sample { hips: pose.hips, angles: pose.angles, bearing: [Bearing { heel: 1.0, ball: 1.0 }; 2] };
-    let (mut state, mut views) = (FeetState::default(), <[FootView; 2]>::default());
+    let (mut state, settings) = (FeetState::default(), PlacementSettings::default());
+    let placement = Placement { footing: &footing, ground: &ground, settings: &settings };
     let mut first: Option<Vec<DVec3>> = None;
     for frame in 0..60 {
         let turn = 0.2 * f64::from(frame);
         let place = Place { position: DQuat::from_rotation_y(0.3) * DVec3::Z * 0.001 * turn, turn };
         let mut placed = sample.clone();
-        let settings = PlacementSettings::default();
-        place_feet(&footing, &ground, &place, &mut placed, &settings, &mut state, 1.0 / 60.0, &mut views);
-        let start = first.get_or_insert_with(|| views[1].sole_in_world.clone());
-        for (point, start) in views[1].sole_in_world.iter().zip(start.iter()) {
+        let [_, right] = placement.step(&place, &mut placed, &mut state, 1.0 / 60.0);
+        let right = right.view(&footing, 1, &ground, &placed);
+        let start = first.get_or_insert_with(|| right.sole_in_world.clone());
+        for (point, start) in right.sole_in_world.iter().zip(start.iter()) {
             assert!(point.distance(*start) < 0.006, "{frame}: {} m", point.distance(*start));
         }
     }

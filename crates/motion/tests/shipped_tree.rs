@@ -143,7 +143,7 @@ fn between_its_points_feet_neither_sink_nor_slide_on_flat_ground() {
         for i in 0..600 {
             walker.step(&Ground::Flat, &steered(speed, toward, turn), 1.0 / 60.0);
             if i > 30 {
-                survey.add(figure, walker.pose(), walker.feet());
+                survey.add(figure, walker.pose(), &walker.feet(&Ground::Flat));
             }
         }
         let summary = survey.summary(None);

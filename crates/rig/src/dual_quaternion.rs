@@ -18,11 +18,13 @@ impl DualQuaternion {
     /// The sum of nothing.
     pub const ZERO: DualQuaternion = DualQuaternion { real: Vec4::ZERO, dual: Vec4::ZERO };
 
-    /// The unit one of a turn about the origin and a shift after it, metres.
-    pub fn rigid(turn: DQuat, shift: DVec3) -> DualQuaternion {
-        let dual = DQuat::from_xyzw(0.5 * shift.x, 0.5 * shift.y, 0.5 * shift.z, 0.0) * turn;
-        let part = |q: DQuat| Vec4::new(q.x as f32, q.y as f32, q.z as f32, q.w as f32);
-        DualQuaternion { real: part(turn), dual: part(dual) }
+    /// The unit one that turns about a point and takes that point somewhere else, metres: half of `to q - q from`, written out.
+    pub fn rigid(turn: DQuat, from: DVec3, to: DVec3) -> DualQuaternion {
+        let about = turn.xyz();
+        let dual = 0.5 * ((to - from) * turn.w + (to + from).cross(about));
+        let dual_w = 0.5 * (from - to).dot(about);
+        let part = |v: DVec3, w: f64| v.as_vec3().extend(w as f32);
+        DualQuaternion { real: part(about, turn.w), dual: part(dual, dual_w) }
     }
 
     #[inline]

@@ -35,8 +35,8 @@ impl Palette {
         let mut palette = Palette::REST;
         let mut turns = [DQuat::IDENTITY; Bone::COUNT];
         let mut set = |place: usize, bone: Bone, turn: DQuat| {
-            let shift = figure_from_joint[bone].position - turn * rest_positions[bone.index()];
-            palette.0[place] = DualQuaternion::rigid(turn, shift).to_rows();
+            let (from, to) = (rest_positions[bone.index()], figure_from_joint[bone].position);
+            palette.0[place] = DualQuaternion::rigid(turn, from, to).to_rows();
         };
         for bone in Bone::ALL {
             let turn = figure_from_joint[bone].rotation;

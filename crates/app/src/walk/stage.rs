@@ -22,8 +22,14 @@ pub struct Moment {
 }
 
 impl Moment {
-    fn of(walker: &Walker) -> Moment {
-        Moment { pose: walker.pose().clone(), feet: walker.feet().clone(), hips_drop_m: walker.hips_drop_m() }
+    /// Before the first step; where the feet are the ground will tell.
+    fn first(walker: &Walker) -> Moment {
+        Moment { pose: walker.pose().clone(), feet: Default::default(), hips_drop_m: 0.0 }
+    }
+
+    fn of(walker: &Walker, ground: &Ground) -> Moment {
+        let (pose, feet) = (walker.pose().clone(), walker.feet(ground));
+        Moment { pose, feet, hips_drop_m: walker.hips_drop_m() }
     }
 
     /// What lies between two moments that follow each other: 0 is this one, 1 the other.
@@ -89,13 +95,13 @@ pub struct Actor {
 
 impl Actor {
     fn new(walker: Walker) -> Actor {
-        let now = Moment::of(&walker);
+        let now = Moment::first(&walker);
         Actor { walker, former: now.clone(), now, prints: Prints::default() }
     }
 
     fn step(&mut self, ground: &Ground, steering: &Steering) {
         self.walker.step(ground, steering, STEP_SECS);
-        self.former = std::mem::replace(&mut self.now, Moment::of(&self.walker));
+        self.former = std::mem::replace(&mut self.now, Moment::of(&self.walker, ground));
         for (side, foot) in [Side::Left, Side::Right].into_iter().zip(&self.now.feet) {
             self.prints.take(side, foot);
         }

@@ -1,7 +1,7 @@
 //! One foot: the plane that it stands on, where it is held, and where that wants it to be.
 
 use glam::{DQuat, DVec2, DVec3};
-use kin::{axis_angle, wrapped};
+use kin::{arc_tangent, axis_angle, wrapped};
 use rig::{Dof, Frame};
 
 use super::PlacementSettings;
@@ -129,7 +129,8 @@ impl Target {
             Frame::new(rotation, frame.point(point) - rotation * point)
         };
         let down = angle.min(self.toes_up);
-        about(about(self.frame, self.heel, down), self.roll, angle - down)
+        let flat = if down > 0.0 { about(self.frame, self.heel, down) } else { self.frame };
+        if angle > down { about(flat, self.roll, angle - down) } else { flat }
     }
 
     /// The least angle by which the heel rises so that the ankle is within a distance of a place (a hip), at most
@@ -144,11 +145,11 @@ impl Target {
         let v = -self.roll;
         let (a, b) = (w.y * v.y + w.z * v.z, w.z * v.y - w.y * v.z);
         let c = 0.5 * (reach * reach - w.length_squared() - v.length_squared()) - w.x * v.x;
-        let most = a.hypot(b);
+        let most = (a * a + b * b).sqrt();
         if b >= 0.0 || most < 1e-9 {
             return 0.0;
         }
-        let rolled = b.atan2(a) + (c / most).clamp(-1.0, 1.0).acos();
+        let rolled = arc_tangent(b, a) + (c / most).clamp(-1.0, 1.0).acos();
         (self.toes_up + rolled.max(0.0)).min(MOST_RISE)
     }
 }
@@ -262,7 +263,7 @@ impl FootState {
 /// The heading of a foot, radians about +Y, whatever its pitch: that of its axis from side to side.
 fn yaw(rotation: DQuat) -> f64 {
     let across = rotation * DVec3::X;
-    (-across.z).atan2(across.x)
+    arc_tangent(-across.z, across.x)
 }
 
 /// Where a leg holds a foot.
@@ -308,11 +309,13 @@ impl Grip<'_> {
         state.lower.value = state.lower.value.clamp(0.0, target.toes_up);
         let rise = state.lower.value + state.rise.value;
         let softness = self.settings.softness_m(leg);
-        leg.solve(hips, &self.goal(target, rise), bend, softness, &mut sample.angles);
-        let turns = state.haste.hold(leg, hips, self.settings.haste.max(1.0), &mut sample.angles, dt_secs);
+        let raised = target.raised(rise);
+        let bent = leg.bent_to(hips, &self.goal(raised), bend, softness, &mut sample.angles);
+        let times = self.settings.haste.max(1.0);
+        let turns = state.haste.hold(leg, hips, bent.turns, times, &mut sample.angles, dt_secs);
         let frame = self.world_from_figure.then(leg.foot_held_by(hips, &turns));
         let foot = &self.footing.feet[self.side];
-        let sunk = target.raised(rise).point(foot.roll).y - frame.point(foot.roll).y;
+        let sunk = raised.point(foot.roll).y - frame.point(foot.roll).y;
         Held { frame, sunk_m: target.ball * sunk }
     }
 
@@ -353,12 +356,12 @@ impl Grip<'_> {
         let leg = &self.footing.legs.sides[self.side];
         let was = sample.angles[leg.limb().parts().end.index()];
         let softness = self.settings.softness_m(leg);
-        let flexion = leg.foot_flexion(hips, &self.goal(target, rise), bend, softness, &sample.angles);
+        let flexion = leg.foot_flexion(hips, &self.goal(target.raised(rise)), bend, softness, &sample.angles);
         flexion.map_or(0.0, |flexion| beyond_range(leg, was.flexion, flexion))
     }
 
-    fn goal(&self, target: &Target, rise: f64) -> FootGoal {
-        let wanted = self.world_from_figure.inverse().then(target.raised(rise));
+    fn goal(&self, world_from_foot: Frame) -> FootGoal {
+        let wanted = self.world_from_figure.inverse().then(world_from_foot);
         FootGoal { ankle: wanted.position, rotation: wanted.rotation }
     }
 }

@@ -35,16 +35,18 @@ impl Haste {
     }
 
     /// Holds what a placed leg's joints turn since the last step to `times` the motion's fastest turn; the foot keeps its
-    /// rotation as far as its own turn allows. A step of no time isn't held. Returns the turns of hip, knee and ankle.
+    /// rotation as far as its own turn allows. A step of no time isn't held. Takes and returns the turns of hip, knee and
+    /// ankle.
     pub fn hold(
         &mut self,
         leg: &Leg,
         hips: Frame,
+        turned: [DQuat; 3],
         times: f64,
         angles: &mut [Angles; Bone::COUNT],
         dt_secs: f64,
     ) -> [DQuat; 3] {
-        let mut now = turns(leg, angles);
+        let mut now = with_shank(turned);
         if dt_secs > 0.0 {
             let rotation = hips.rotation * now[3] * now[2];
             // Hip and knee go the same share of their ways, so that the foot goes toward its goal and not ahead.
@@ -101,7 +103,7 @@ fn between(a: DQuat, b: DQuat) -> f64 {
         // The first terms of the arc sine: off by a millionth at most.
         return 2.0 * sine * (1.0 + square * (1.0 / 6.0 + square * (3.0 / 40.0 + square * (15.0 / 336.0))));
     }
-    2.0 * sine.atan2(d.w.abs())
+    2.0 * kin::arc_tangent(sine, d.w.abs())
 }
 
 /// Sines of half turns from step to step are mostly less.

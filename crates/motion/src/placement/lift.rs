@@ -29,8 +29,7 @@ pub fn lift_feet(footing: &Footing, sample: &mut Sample) -> [[DQuat; 3]; 2] {
             let bend = leg.bend(&sample.angles);
             let goal =
                 FootGoal { ankle: ankle.position - DVec3::Y * (lowest + SINKS_M), rotation: ankle.rotation };
-            leg.solve(hips, &goal, &bend, 0.0, &mut sample.angles);
-            *turns = leg.turns(&sample.angles);
+            *turns = leg.bent_to(hips, &goal, &bend, 0.0, &mut sample.angles).turns;
         }
     }
     turns

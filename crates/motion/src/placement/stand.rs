@@ -3,7 +3,7 @@
 use rig::Pose;
 
 use super::fade::smooth;
-use super::{FeetState, FootView, Footing, PlacementSettings, place_feet};
+use super::{FeetState, Footing, Placement, PlacementSettings};
 use crate::{Bearing, Ground, Sample, Sole};
 
 /// Up to here above the lower sole a part of a foot bears wholly, from there on not at all, metres.
@@ -23,8 +23,8 @@ pub fn stand(footing: &Footing, ground: &Ground, pose: &Pose) -> Pose {
         let bears = |height: f64| 1.0 - smooth(height, BEARS_M.0, BEARS_M.1);
         sample.bearing[side] = Bearing { heel: bears(height(Sole::HEEL)), ball: bears(height(Sole::BALL)) };
     }
-    let (mut state, mut views) = (FeetState::default(), <[FootView; 2]>::default());
     let settings = PlacementSettings::default();
-    place_feet(footing, ground, &pose.place, &mut sample, &settings, &mut state, 0.0, &mut views);
+    let placement = Placement { footing, ground, settings: &settings };
+    placement.step(&pose.place, &mut sample, &mut FeetState::default(), 0.0);
     Pose { hips: sample.hips, angles: sample.angles, ..pose.clone() }
 }

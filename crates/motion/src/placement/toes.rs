@@ -53,64 +53,66 @@ impl ToesState {
     }
 }
 
-#[allow(clippy::too_many_arguments)] // one foot of a node
-/// Bends the toes of a placed foot so that their tip is as high above the ground there as the motion has it above flat
-/// ground, as far as the ball holds; elsewhere they stay as the motion has them.
-pub(super) fn bend(
-    footing: &Footing,
-    side: usize,
-    ground: &Ground,
-    world_from_foot: Frame,
-    target: &Target,
-    state: &mut ToesState,
-    times: f64,
-    dt_secs: f64,
-    sample: &mut Sample,
-) {
-    let (leg, foot) = (&footing.legs.sides[side], &footing.feet[side]);
-    let Some(toes) = &foot.toes else { return };
-    let Some(range) = toes.joint.range(Dof::Flexion) else { return };
-    let bone = leg.toes_bone().index();
-    let was = sample.angles[bone];
-    let tip_at = |flexion: f64, frame: Frame| {
-        let angles = rig::Angles { flexion, ..was };
-        frame.point(foot_from_toes(toes, angles).point(toes.tip))
-    };
-    // The motion's own height of the tip over the plane.
-    let meant = tip_at(was.flexion, target.frame);
-    let level = |p: glam::DVec3| glam::DVec2::new(p.x, p.z);
-    let above = meant.y - target.plane.height_at(level(meant));
-    let mut flexion = was.flexion;
-    let rounds = if target.ball > 0.0 { ROUNDS } else { 0 };
-    for _ in 0..rounds {
-        let tip = tip_at(flexion, world_from_foot);
-        let plane = target.plane.height_at(level(tip));
-        let step = ground.height(tip.x, tip.z) - plane;
-        // Toes bend to the ground, but not up or down a step.
-        let bump = step * (1.0 - smooth(step.abs(), STEP_M.0, STEP_M.1));
-        let off = tip.y - plane - bump - above;
-        if off.abs() < NEAR_M {
-            break;
+/// What bends the toes of a placed foot.
+pub(super) struct Bending<'a> {
+    pub footing: &'a Footing,
+    pub side: usize,
+    pub ground: &'a Ground,
+    /// How many times as fast as in the motion.
+    pub times: f64,
+    pub dt_secs: f64,
+}
+
+impl Bending<'_> {
+    /// Bends toes so that their tip is as high above the ground there as the motion has it above flat
+    /// ground, as far as the ball holds; elsewhere they stay as the motion has them.
+    pub fn bend(&self, world_from_foot: Frame, target: &Target, state: &mut ToesState, sample: &mut Sample) {
+        let &Bending { footing, side, ground, times, dt_secs } = self;
+        let (leg, foot) = (&footing.legs.sides[side], &footing.feet[side]);
+        let Some(toes) = &foot.toes else { return };
+        let Some(range) = toes.joint.range(Dof::Flexion) else { return };
+        let bone = leg.toes_bone().index();
+        let was = sample.angles[bone];
+        let tip_at = |flexion: f64, frame: Frame| {
+            let angles = rig::Angles { flexion, ..was };
+            frame.point(foot_from_toes(toes, angles).point(toes.tip))
+        };
+        // The motion's own height of the tip over the plane.
+        let meant = tip_at(was.flexion, target.frame);
+        let level = |p: glam::DVec3| glam::DVec2::new(p.x, p.z);
+        let above = meant.y - target.plane.height_at(level(meant));
+        let mut flexion = was.flexion;
+        let rounds = if target.ball > 0.0 { ROUNDS } else { 0 };
+        for _ in 0..rounds {
+            let tip = tip_at(flexion, world_from_foot);
+            let plane = target.plane.height_at(level(tip));
+            let step = ground.height(tip.x, tip.z) - plane;
+            // Toes bend to the ground, but not up or down a step.
+            let bump = step * (1.0 - smooth(step.abs(), STEP_M.0, STEP_M.1));
+            let off = tip.y - plane - bump - above;
+            if off.abs() < NEAR_M {
+                break;
+            }
+            let sinks = tip.y - tip_at(flexion + 1.0, world_from_foot).y;
+            if sinks > 1e-6 {
+                flexion += (off / sinks).clamp(-40.0, 40.0);
+            }
         }
-        let sinks = tip.y - tip_at(flexion + 1.0, world_from_foot).y;
-        if sinks > 1e-6 {
-            flexion += (off / sinks).clamp(-40.0, 40.0);
+        // A tip that the ball doesn't hold comes out of the ground, but isn't brought down to it.
+        let tip = tip_at(was.flexion, world_from_foot);
+        let deep = ground.height(tip.x, tip.z) - tip.y;
+        let in_ground = deep > 0.0 && deep < STEP_M.1;
+        let mut lifts = 0.0;
+        if in_ground {
+            let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
+            lifts = if sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
         }
+        let goal = lifts + target.ball * (flexion - was.flexion - lifts);
+        let follows = if lifts < 0.0 { 1.0 } else { target.ball };
+        let quickness = STRAIGHTENS + follows * (BENDS - STRAIGHTENS);
+        let bent = state.bend(was.flexion, goal, quickness, times, dt_secs);
+        let flexion = range.reaching(was.flexion).clamp(bent);
+        state.placed = flexion;
+        sample.angles[bone].flexion = flexion;
     }
-    // A tip that the ball doesn't hold comes out of the ground, but isn't brought down to it.
-    let tip = tip_at(was.flexion, world_from_foot);
-    let deep = ground.height(tip.x, tip.z) - tip.y;
-    let in_ground = deep > 0.0 && deep < STEP_M.1;
-    let mut lifts = 0.0;
-    if in_ground {
-        let sinks = tip.y - tip_at(was.flexion + 1.0, world_from_foot).y;
-        lifts = if sinks > 1e-4 { (-deep / sinks).max(-MOST_LIFT) } else { 0.0 };
-    }
-    let goal = lifts + target.ball * (flexion - was.flexion - lifts);
-    let follows = if lifts < 0.0 { 1.0 } else { target.ball };
-    let quickness = STRAIGHTENS + follows * (BENDS - STRAIGHTENS);
-    let bent = state.bend(was.flexion, goal, quickness, times, dt_secs);
-    let flexion = range.reaching(was.flexion).clamp(bent);
-    state.placed = flexion;
-    sample.angles[bone].flexion = flexion;
 }

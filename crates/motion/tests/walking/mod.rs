@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 
 use glam::DVec3;
 use motion::{
-    Clip, FeetState, FittedClip, FootView, Footing, Ground, PlacementSettings, Sample, Summary, Survey,
-    parse_clip, place_feet,
+    Clip, FeetState, FittedClip, FootView, Footing, Ground, Placement, PlacementSettings, Sample, Summary,
+    Survey, parse_clip,
 };
 use rig::{Articulation, Figure, Place, Pose};
 
@@ -74,16 +74,9 @@ impl Walk {
         self.place.turn += self.turn_rate * dt;
         self.phase += self.pace * dt / self.fitted.length_secs();
         self.fitted.sample(self.phase, &mut self.sample);
-        place_feet(
-            &self.footing,
-            ground,
-            &self.place,
-            &mut self.sample,
-            &self.settings,
-            &mut self.state,
-            dt,
-            &mut self.feet,
-        );
+        let placement = Placement { footing: &self.footing, ground, settings: &self.settings };
+        let feet = placement.step(&self.place, &mut self.sample, &mut self.state, dt);
+        self.feet = [0, 1].map(|side| feet[side].view(&self.footing, side, ground, &self.sample));
     }
 
     pub fn pose(&self) -> Pose {

@@ -54,7 +54,8 @@ impl RobotSkin {
         let mut palettes = vec![Palette::REST; self.meshes.len()];
         for (i, frame) in world_from_link.iter().enumerate() {
             if let Some(palette) = palettes.get_mut(i / LINKS) {
-                palette.0[i % LINKS] = DualQuaternion::rigid(frame.rotation, frame.position).to_rows();
+                palette.0[i % LINKS] =
+                    DualQuaternion::rigid(frame.rotation, DVec3::ZERO, frame.position).to_rows();
             }
         }
         palettes

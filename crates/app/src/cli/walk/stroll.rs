@@ -51,26 +51,27 @@ impl Stroll {
     /// Walks, and once more on flat ground to compare.
     pub fn walk(&self) -> Strolled {
         let mut moments = Vec::with_capacity(self.steps);
-        let survey = self.survey(&self.ground, &mut |walker, step| {
+        let survey = self.survey(&self.ground, &mut |walker, feet, step| {
             moments.push(Moment {
                 time: (step + 1) as f64 / f64::from(self.rate),
                 pose: walker.pose().clone(),
                 weights: walker.weights().map(|(name, weight)| (name.to_owned(), weight)).collect(),
-                feet: walker.feet().clone(),
+                feet: feet.clone(),
             });
         });
-        let flat = self.survey(&Ground::Flat, &mut |_, _| {});
+        let flat = self.survey(&Ground::Flat, &mut |_, _, _| {});
         Strolled { moments, summary: survey.summary(Some(&flat)) }
     }
 
-    fn survey(&self, ground: &Ground, each: &mut dyn FnMut(&Walker, usize)) -> Survey {
+    fn survey(&self, ground: &Ground, each: &mut dyn FnMut(&Walker, &[FootView; 2], usize)) -> Survey {
         let mut walker = Walker::new(self.figure.clone(), self.tree.clone());
         walker.feet_on_ground = self.places_feet;
         let mut survey = Survey::new();
         for step in 0..self.steps {
             walker.step(ground, &self.steering, 1.0 / f64::from(self.rate));
-            survey.add(&self.figure, walker.pose(), walker.feet());
-            each(&walker, step);
+            let feet = walker.feet(ground);
+            survey.add(&self.figure, walker.pose(), &feet);
+            each(&walker, &feet, step);
         }
         survey
     }
