@@ -59,11 +59,17 @@ const QUARTER: [f64; 2] = [f64::from_bits(0x3FF9_21FB_5440_0000), 6.077_100_506_
 #[inline(always)]
 fn near_zero(x: f64) -> (f64, f64) {
     let z = x * x;
-    let sine = SINE.iter().rev().fold(0.0, |sum, term| sum * z + term);
-    let cosine = COSINE.iter().rev().fold(0.0, |sum, term| sum * z + term);
+    let (sine, cosine) = (series(&SINE, z), series(&COSINE, z));
     let half = 0.5 * z;
     let first = 1.0 - half;
     (x + x * z * sine, first + ((1.0 - first - half) + z * z * cosine))
+}
+
+/// The sum of terms times ever higher powers of `z`, in pairs: the second and the third don't wait for the first.
+#[inline(always)]
+fn series(terms: &[f64; 6], z: f64) -> f64 {
+    let w = z * z;
+    (terms[0] + z * terms[1]) + w * ((terms[2] + z * terms[3]) + w * (terms[4] + z * terms[5]))
 }
 
 /// Terms of x^3, x^5 and on, divided by x^3.

@@ -80,6 +80,17 @@ pub fn swing_twist(rotation: DQuat, axis: DVec3) -> (DQuat, f64) {
     (DQuat::from_xyzw(swing.x, swing.y, swing.z, upright), if twist <= -PI { PI } else { twist })
 }
 
+/// The twist of a rotation about a unit axis alone, radians, as [`swing_twist`] has it.
+pub fn twist_about(rotation: DQuat, axis: DVec3) -> f64 {
+    let along = rotation.xyz().dot(axis);
+    let (along, upright) = if rotation.w < 0.0 { (-along, -rotation.w) } else { (along, rotation.w) };
+    if along == 0.0 && upright == 0.0 {
+        return 0.0;
+    }
+    let twist = 2.0 * arc_tangent(along, upright);
+    if twist <= -PI { PI } else { twist }
+}
+
 /// The rotation vector of a rotation: axis times angle, the angle at most pi, accurate at both ends.
 pub(crate) fn rotation_vector(q: DQuat) -> DVec3 {
     let q = if q.w < 0.0 { -q } else { q };

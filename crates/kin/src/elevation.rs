@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 
+use crate::ball::twist_about;
 use crate::{Cone, Degenerate, Interval, Limb, LimbGoal, swing_twist, wrapped};
 
 /// The range of a root ball joint, in limb axes.
@@ -26,13 +27,13 @@ impl RootRange {
 
     /// Whether a rotation lies inside, give or take some radians.
     pub fn contains(&self, root: DQuat, slack: f64) -> bool {
-        let (_, twist) = swing_twist(root, self.twist_axis);
+        let twist = twist_about(root, self.twist_axis);
         self.cone.contains(root * self.bone, slack) && self.twist.excess(twist) <= slack
     }
 
     /// The smallest range that holds a rotation too.
     pub fn reaching(&self, root: DQuat) -> RootRange {
-        let (_, twist) = swing_twist(root, self.twist_axis);
+        let twist = twist_about(root, self.twist_axis);
         RootRange { cone: self.cone.reaching(root * self.bone), twist: self.twist.reaching(twist), ..*self }
     }
 }

@@ -26,7 +26,7 @@ mod spine;
 pub use aim::{AIM_STEPS, AIM_TOLERANCE_RAD, AimError};
 pub use arc_tangent::arc_tangent;
 pub use axis_angle::axis_angle;
-pub use ball::{Ball, swing_twist};
+pub use ball::{Ball, swing_twist, twist_about};
 pub use carrier::Carrier;
 pub use collar::{CollarTurn, Rhythm, collar_turn};
 pub use elevation::{Arc, Elevations, RootRange};

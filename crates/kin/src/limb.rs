@@ -225,6 +225,17 @@ impl Limb {
         distance: f64,
         branch: Branch,
     ) -> Result<HingeSolution, Degenerate> {
+        let ([sine, cosine], span) = self.hinge_turn(in_hinge, distance, branch)?;
+        Ok(HingeSolution { angle: hinge_angle(sine, cosine), span })
+    }
+
+    /// Sine and cosine, times some length, of the angle that [`Limb::hinge_for`] gives.
+    fn hinge_turn(
+        &self,
+        in_hinge: DVec3,
+        distance: f64,
+        branch: Branch,
+    ) -> Result<([f64; 2], Span), Degenerate> {
         if !usable(in_hinge) || !distance.is_finite() {
             return Err(Degenerate::NotFinite);
         }
@@ -248,8 +259,7 @@ impl Limb {
         // (near + i far)^2 has the angle g + psi, (y + i z) has psi: one arc tangent of the quotient.
         let (far, near) = (to_far.max(0.0), to_near.max(0.0));
         let (sine, cosine) = (branch.sign() * 2.0 * (far.sqrt() * near.sqrt()), near - far);
-        let angle = arc_tangent(sine * local.y - cosine * local.z, cosine * local.y + sine * local.z);
-        Ok(HingeSolution { angle: if angle <= -PI { PI } else { angle }, span })
+        Ok(([sine * local.y - cosine * local.z, cosine * local.y + sine * local.z], span))
     }
 
     /// The root rotation that points the articulator along a unit direction with the hinge at an angle.
@@ -277,14 +287,18 @@ impl Limb {
     ///
     /// # Errors
     /// Every case that has no answer, by name.
+    #[inline]
     pub fn solve(&self, in_hinge: DVec3, goal: &LimbGoal) -> Result<LimbSolution, Degenerate> {
         let (direction, distance) = direction(goal)?;
-        let hinge = self.hinge_for(in_hinge, distance, goal.branch)?;
-        let bent = self.bent(in_hinge, hinge.angle);
+        let ([sine, cosine], span) = self.hinge_turn(in_hinge, distance, goal.branch)?;
+        // What the root does needs the hinge's turn, and doesn't wait for its angle.
+        let long = length(sine, cosine);
+        let turn = if long > 0.0 { (sine / long, cosine / long) } else { (0.0, 1.0) };
+        let bent = self.turned(in_hinge, turn);
         let root = root(self.frame_of(bent, direction), goal.elevation);
-        let state = LimbState { root, hinge: hinge.angle };
+        let state = LimbState { root, hinge: hinge_angle(sine, cosine) };
         let residual = self.placed(root, bent).distance(goal.target);
-        Ok(LimbSolution { state, span: hinge.span, residual })
+        Ok(LimbSolution { state, span, residual })
     }
 
     /// Reads the inverse parameters off the joints: `solve(recover(state))` is the same state.
@@ -353,6 +367,12 @@ impl Limb {
     fn local(&self, in_hinge: DVec3) -> DVec3 {
         self.rest * in_hinge
     }
+}
+
+/// The angle of a hinge's turn in (-pi, pi].
+fn hinge_angle(sine: f64, cosine: f64) -> f64 {
+    let angle = arc_tangent(sine, cosine);
+    if angle <= -PI { PI } else { angle }
 }
 
 /// The root's rotation from what [`Limb::frame_of`] gives and the elevation.

@@ -54,6 +54,9 @@ impl Interval {
     }
 }
 
+/// A quarter of a circle over its chord, rounded up.
+const ARC_OVER_CHORD: f64 = 1.1108;
+
 /// The directions within an angle of an axis.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cone {
@@ -74,11 +77,17 @@ impl Cone {
 
     /// Whether the unit direction lies inside by more than `-slack` radians.
     pub fn contains(self, direction: DVec3, slack: f64) -> bool {
-        self.angle(direction) <= self.half_angle + slack
+        let most = self.half_angle + slack;
+        // Within a right angle an arc is at most so many times as long as its chord.
+        let near = ARC_OVER_CHORD * self.axis.distance(direction) < most && self.axis.dot(direction) > 0.0;
+        near || self.angle(direction) <= most
     }
 
     /// The smallest cone about the same axis that holds the unit direction too.
     pub fn reaching(self, direction: DVec3) -> Cone {
+        if self.contains(direction, 0.0) {
+            return self;
+        }
         Cone { half_angle: self.half_angle.max(self.angle(direction)), ..self }
     }
 

@@ -162,6 +162,17 @@ impl Ground {
         }
     }
 
+    /// The height, metres, and the rise over run along x and z.
+    pub(crate) fn facet(&self, x: f64, z: f64) -> (f64, DVec2) {
+        match self {
+            Ground::Hills(hills) if on_the_map(x, z) => hills.facet(x, z),
+            _ => {
+                let GroundPoint { height, normal } = self.under(x, z);
+                (height, -DVec2::new(normal.x, normal.z) / normal.y.max(0.1))
+            }
+        }
+    }
+
     /// The ground around a place as triangles to draw, a square of twice the half extent: a light neutral checker of
     /// metres, smooth over hills and crisp at edges. Half extents are held within 0.5 and 60 m. Joints and weights of
     /// its vertices name the first place of a palette.

@@ -240,7 +240,7 @@ impl Leg {
         let flexion = match &self.foot.articulation {
             // The outer of the hinges doesn't wait for the others.
             Articulation::Hinges(hinges) if hinges.first().is_some_and(|h| h.dof == Dof::Flexion) => {
-                kin::swing_twist(shank_from_foot, hinges[0].axis).1.to_degrees()
+                kin::twist_about(shank_from_foot, hinges[0].axis).to_degrees()
             }
             other => hinge_angles(other, shank_from_foot, angles[parts.end.index()])?.flexion,
         };
@@ -371,11 +371,13 @@ fn hinge_angles(articulation: &Articulation, rotation: DQuat, was: Angles) -> Op
         }
         Articulation::Hinges(hinges) => {
             let mut rest = rotation;
-            for hinge in hinges {
+            for (i, hinge) in hinges.iter().enumerate() {
                 // Square axes: what is left after the outer turn is the inner one.
-                let (_, angle) = kin::swing_twist(rest, hinge.axis);
+                let angle = kin::twist_about(rest, hinge.axis);
                 angles.set(hinge.dof, angle.to_degrees());
-                rest = kin::axis_angle(hinge.axis, -angle) * rest;
+                if i + 1 < hinges.len() {
+                    rest = kin::axis_angle(hinge.axis, -angle) * rest;
+                }
             }
         }
     }

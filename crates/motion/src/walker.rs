@@ -124,7 +124,7 @@ impl Walker {
         let former = self.switched.unwrap_or(goal);
         let most = dt_secs / SWITCH_SECS;
         let Place { position, .. } = self.pose.place;
-        let height = ground.under(position.x, position.z).height;
+        let height = ground.height(position.x, position.z);
         let switched = former + (goal - former).clamp(-most, most);
         self.switched = Some(switched);
         if switched == 0.0 {
@@ -157,7 +157,7 @@ impl Walker {
     fn slope_ahead(&mut self, ground: &Ground, dt_secs: f64) -> f64 {
         let Place { position, turn } = self.pose.place;
         let (sin, cos) = turn.to_radians().sin_cos();
-        let height = |ahead: f64| ground.under(position.x + ahead * sin, position.z + ahead * cos).height;
+        let height = |ahead: f64| ground.height(position.x + ahead * sin, position.z + ahead * cos);
         let rise = height(SLOPE_REACH_M) - height(-SLOPE_REACH_M);
         let now = rise.atan2(2.0 * SLOPE_REACH_M).to_degrees();
         let now = if now.is_finite() { now } else { 0.0 };

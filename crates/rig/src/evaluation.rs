@@ -69,7 +69,7 @@ pub fn frames(figure: &Figure, pose: &Pose) -> Frames {
 impl Place {
     /// The frame of the placed figure in the world.
     pub fn world_from_figure(&self) -> Frame {
-        Frame::new(DQuat::from_rotation_y(self.turn.to_radians()), self.position)
+        Frame::new(kin::axis_angle(DVec3::Y, self.turn.to_radians()), self.position)
     }
 }
 

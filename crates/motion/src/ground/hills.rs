@@ -1,7 +1,7 @@
 //! Rolling ground: a grid of quads with noise heights, which repeats seamlessly.
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::GroundPoint;
 
@@ -87,7 +87,7 @@ impl Hills {
 
     /// The height, and the rise over run along x and z, in the triangle of the quad that holds a place: its two
     /// triangles meet in the diagonal from the corner of least x and z.
-    fn facet(&self, x: f64, z: f64) -> (f64, f64, f64) {
+    pub(crate) fn facet(&self, x: f64, z: f64) -> (f64, DVec2) {
         let (u, v) = (x * self.cells_a_metre, z * self.cells_a_metre);
         let (i, j) = (u.floor(), v.floor());
         let (u, v) = (u - i, v - j);
@@ -100,7 +100,7 @@ impl Hills {
             let c = self.corner(i, j + 1);
             (d - c, c - a)
         };
-        (a + along_x * u + along_z * v, along_x * self.cells_a_metre, along_z * self.cells_a_metre)
+        (a + along_x * u + along_z * v, DVec2::new(along_x, along_z) * self.cells_a_metre)
     }
 
     pub(crate) fn height(&self, x: f64, z: f64) -> f64 {
@@ -108,8 +108,8 @@ impl Hills {
     }
 
     pub(crate) fn under(&self, x: f64, z: f64) -> GroundPoint {
-        let (height, along_x, along_z) = self.facet(x, z);
-        GroundPoint { height, normal: DVec3::new(-along_x, 1.0, -along_z).normalize() }
+        let (height, gradient) = self.facet(x, z);
+        GroundPoint { height, normal: DVec3::new(-gradient.x, 1.0, -gradient.y).normalize() }
     }
 
     /// The slope of the steepest facet, degrees.

@@ -179,7 +179,7 @@ impl FootState {
         let turned = axis_angle(DVec3::Y, yaw + self.slip.value.y);
         let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
         let fitted = Plane::under(ground, at, &print);
-        let fitted = coming.map_or(fitted, |coming| coming.on_the_way(fitted));
+        let fitted = coming.map_or(fitted, |coming| self.landing.on_the_way(&coming, fitted));
         self.settle(fitted, if now.at_once { 0.0 } else { ball }, now.dt_secs);
         let plane = self.plane;
         let normal = plane.normal();
@@ -188,8 +188,8 @@ impl FootState {
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
-        if let Some(coming) = coming.filter(|_| heel.max(ball) <= 0.0) {
-            let wait = coming.wait(ground, &foot.sole_at(self.placed, now.toes));
+        if coming.is_some() && heel.max(ball) <= 0.0 {
+            let wait = self.landing.wait(ground, &foot.sole_at(self.placed, now.toes));
             let back = DVec3::new(wait.x, 0.0, wait.y);
             self.placed.position += back;
             self.slip.value += back;

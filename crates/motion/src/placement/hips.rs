@@ -41,7 +41,7 @@ pub(super) fn around(world_from_figure: &Frame, sample: &Sample, targets: &[Targ
     let around = between(hips, ahead, targets.map(|target| target.plane));
     // Over steps hips go evenly from place to place: that which the swinging foot left, where the other stands, and
     // where it will come down.
-    let swings = [0, 1].map(|side| targets[side].coming.filter(Coming::over_steps));
+    let swings = [0, 1].map(|side| targets[side].coming.filter(|coming| coming.over_steps));
     match swings {
         [Some(coming), None] => Around { height: passing(hips, &coming, targets[1].plane), ..around },
         [None, Some(coming)] => Around { height: passing(hips, &coming, targets[0].plane), ..around },
@@ -110,7 +110,7 @@ impl Reach<'_> {
         let ahead = [0, 1].map(|side| {
             let Some(coming) = targets[side].coming else { return 0.0 };
             let other = targets[1 - side].plane;
-            let then = if coming.over_steps() {
+            let then = if coming.over_steps {
                 along(coming.hips, other, coming.plane).0
             } else {
                 between(coming.hips, DVec2::ZERO, [coming.plane, other]).height

@@ -101,8 +101,8 @@ pub(super) struct Coming {
     pub hips: DVec2,
     /// How far the hips may be above their height over flat ground then, metres.
     pub highest: f64,
-    /// The ground on the way there, if it has steps.
-    way: Option<Way>,
+    /// Whether the ground on the way there has steps.
+    pub over_steps: bool,
 }
 
 impl Landing {
@@ -177,7 +177,47 @@ impl Landing {
         let away = level(hip - ankle).length_squared();
         let highest = ankle.y + (touch.reach * touch.reach - away).max(0.0).sqrt() - hip.y;
         let hips = level(world_from_figure.point(DVec3::new(0.0, 0.0, touch.hip.z)));
-        Some(Coming { progress, from: self.from, plane, shift, hips, highest, way: self.way })
+        Some(Coming {
+            progress,
+            from: self.from,
+            plane,
+            shift,
+            hips,
+            highest,
+            over_steps: self.way.is_some(),
+        })
+    }
+
+    /// The plane for a foot on its way at a place: it turns evenly from the one to the other. Over ground with steps it
+    /// is as high as a string that is taut over all that the sole passes.
+    pub fn on_the_way(&self, coming: &Coming, fitted: Plane) -> Plane {
+        let turned = smooth(coming.progress, 0.0, 0.9);
+        let gradient = coming.from.gradient.lerp(coming.plane.gradient, turned);
+        let near = smooth(coming.progress, 0.8, 1.0);
+        let gradient = gradient.lerp(fitted.gradient, near);
+        let height = match &self.way {
+            Some(way) => way.string(coming.from.height, coming.plane.height, fitted.at, coming.progress),
+            None => fitted.height + coming.early(),
+        };
+        Plane { gradient, height, at: fitted.at }
+    }
+
+    /// How far a foot has to stay back from where it would be for its sole not to go through an edge ahead: `points` are
+    /// those of the sole. Nothing where staying back doesn't help.
+    pub fn wait(&self, ground: &Ground, points: &[DVec3; Sole::COUNT]) -> DVec2 {
+        let Some(along) = self.way.map(|way| way.length_along().1) else { return DVec2::ZERO };
+        let free = |back: f64| {
+            points.iter().all(|p| {
+                let at = level(*p) - along * back;
+                let ahead = at + along * AHEAD_M;
+                let edge = ground.height(at.x, at.y).max(ground.height(ahead.x, ahead.y));
+                // What it left is no edge.
+                p.y > edge || edge < self.from.height_at(at) + CLEARS_M
+            })
+        };
+        let most = (MOST_WAIT_M / WAIT_STEP_M) as usize;
+        let back = (0..=most).map(|i| i as f64 * WAIT_STEP_M).find(|back| free(*back));
+        along * -back.unwrap_or(0.0)
     }
 }
 
@@ -255,43 +295,6 @@ fn taut(heights: &[f64; KNOTS + 1], share: f64) -> f64 {
 }
 
 impl Coming {
-    /// Whether the ground on the way has steps.
-    pub fn over_steps(&self) -> bool {
-        self.way.is_some()
-    }
-
-    /// The plane for a foot on its way at a place: it turns evenly from the one to the other. Over ground with steps it
-    /// is as high as a string that is taut over all that the sole passes.
-    pub fn on_the_way(&self, fitted: Plane) -> Plane {
-        let turned = smooth(self.progress, 0.0, 0.9);
-        let gradient = self.from.gradient.lerp(self.plane.gradient, turned);
-        let near = smooth(self.progress, 0.8, 1.0);
-        let gradient = gradient.lerp(fitted.gradient, near);
-        let height = match self.way {
-            Some(way) => way.string(self.from.height, self.plane.height, fitted.at, self.progress),
-            None => fitted.height + self.early(),
-        };
-        Plane { gradient, height, at: fitted.at }
-    }
-
-    /// How far a foot has to stay back from where it would be for its sole not to go through an edge ahead: `points` are
-    /// those of the sole. Nothing where staying back doesn't help.
-    pub fn wait(&self, ground: &Ground, points: &[DVec3; Sole::COUNT]) -> DVec2 {
-        let Some(along) = self.way.map(|way| way.length_along().1) else { return DVec2::ZERO };
-        let free = |back: f64| {
-            points.iter().all(|p| {
-                let at = level(*p) - along * back;
-                let ahead = at + along * AHEAD_M;
-                let edge = ground.height(at.x, at.y).max(ground.height(ahead.x, ahead.y));
-                // What it left is no edge.
-                p.y > edge || edge < self.from.height_at(at) + CLEARS_M
-            })
-        };
-        let most = (MOST_WAIT_M / WAIT_STEP_M) as usize;
-        let back = (0..=most).map(|i| i as f64 * WAIT_STEP_M).find(|back| free(*back));
-        along * -back.unwrap_or(0.0)
-    }
-
     /// Uphill the foot is lifted early, or the thigh would have to come up fast in the second half of the swing, metres.
     fn early(&self) -> f64 {
         let length = self.plane.at.distance(self.from.at).max(0.3);

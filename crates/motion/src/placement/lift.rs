@@ -26,7 +26,7 @@ pub fn lift_feet(footing: &Footing, sample: &mut Sample) -> [[DQuat; 3]; 2] {
         };
         let lowest = foot.points.iter().map(height).fold(f64::INFINITY, f64::min);
         if lowest < -SINKS_M {
-            let bend = leg.bend(&sample.angles);
+            let bend = leg.bend_of(turns[0], &sample.angles);
             let goal =
                 FootGoal { ankle: ankle.position - DVec3::Y * (lowest + SINKS_M), rotation: ankle.rotation };
             *turns = leg.bent_to(hips, &goal, &bend, 0.0, &mut sample.angles).turns;

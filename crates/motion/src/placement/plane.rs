@@ -79,10 +79,8 @@ struct Patch {
 /// The ground under a sole's points, and the height to which the highest of it leads at the sole's place.
 fn samples<const N: usize>(ground: &Ground, at: DVec2, points: &[DVec2; N]) -> ([Patch; N], f64) {
     let samples = points.map(|point| {
-        let found = ground.under(point.x, point.y);
-        let n = found.normal;
-        let gradient = (-DVec2::new(n.x, n.z) / n.y.max(0.1)).clamp_length_max(STEEPEST);
-        Patch { off: point - at, height: found.height, gradient }
+        let (height, gradient) = ground.facet(point.x, point.y);
+        Patch { off: point - at, height, gradient: gradient.clamp_length_max(STEEPEST) }
     });
     let highest = samples.iter().map(|s| s.height - s.gradient.dot(s.off)).fold(f64::NEG_INFINITY, f64::max);
     (samples, highest)
