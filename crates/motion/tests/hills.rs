@@ -85,8 +85,8 @@ fn over_stones_feet_clear_edges_and_come_down_on_tops() {
 fn on_stairs_toes_clear_the_risers_and_feet_come_down_on_treads() {
     for speed in [1.4, 1.0] {
         let s = measured("mannequin", &GroundKind::Stairs.ground(1), 30.0, Some(speed), true);
-        // A foot that rolls off leaves its print by as much; through a riser it would be 150.
-        passes_steps(&format!("stairs {speed}"), &s, 24.0);
+        // Toes that bend no farther are in their own print by as much; in a riser it would be 150.
+        passes_steps(&format!("stairs {speed}"), &s, 14.0);
         assert!(s.mean_float_mm <= 3.0 && s.stance_share >= 0.12, "{s:?}");
     }
 }

@@ -11,7 +11,7 @@ use super::haste::Haste;
 use super::landing::{Coming, Landing, Touch};
 use super::plane::Plane;
 use super::toes::ToesState;
-use crate::{Bearing, Bend, FootGoal, Ground, Leg, Sample};
+use crate::{Bearing, Bend, FootGoal, Ground, Leg, Sample, Sole};
 
 /// How quickly what a held foot had against the motion fades as it swings, 1/s.
 const SLIP_FADES: f64 = 16.0;
@@ -32,8 +32,12 @@ const RESERVE: f64 = 0.03;
 const RISES: f64 = 55.0;
 const FALLS: f64 = 12.0;
 const ROLLING_FALLS: f64 = 30.0;
+/// A foot that leaves the ground waits before edges for a leg that lags behind; until so much of its swing is over, and for so
+/// much at most, metres.
+const LAGS_UNTIL: f64 = 0.4;
+const MOST_LAG_M: f64 = 0.04;
 /// The most by which a heel rises, and by which it does so to help a leg reach, radians.
-const MOST_RISE: f64 = 0.7;
+const MOST_RISE: f64 = 1.0;
 const REACH_RISE: f64 = 0.3;
 /// From here on a foot rolls off: the heel's height over the ball's, over their distance.
 const ROLLS: f64 = 0.3;
@@ -61,6 +65,8 @@ pub(super) struct FootState {
     pub haste: Haste,
     /// Where the foot was to be.
     placed: Frame,
+    /// How far the tip of the foot was below that, as the leg doesn't fold faster, metres.
+    lag_m: f64,
     on_heel: bool,
 }
 
@@ -177,8 +183,7 @@ impl FootState {
         let at = level(flat[part]) + DVec2::new(self.slip.value.x, self.slip.value.z);
         let in_foot = if self.on_heel { foot.heel } else { foot.roll };
         let turned = axis_angle(DVec3::Y, yaw + self.slip.value.y);
-        let print = foot.print.map(|point| at + level(turned * (point - in_foot)));
-        let fitted = Plane::under(ground, at, &print);
+        let fitted = Plane::of_foot(ground, at, foot, |point| at + level(turned * (point - in_foot)));
         let fitted = coming.map_or(fitted, |coming| self.landing.on_the_way(&coming, fitted));
         self.settle(fitted, if now.at_once { 0.0 } else { ball }, now.dt_secs);
         let plane = self.plane;
@@ -188,8 +193,10 @@ impl FootState {
             * now.flat.rotation;
         let pivot = DVec3::new(at.x, plane.height + flat[part].y / normal.y, at.y);
         self.placed = Frame::new(rotation, pivot - rotation * in_foot);
-        if coming.is_some() && heel.max(ball) <= 0.0 {
-            let wait = self.landing.wait(ground, &foot.sole_at(self.placed, now.toes));
+        if let Some(coming) = coming.filter(|_| heel.max(ball) <= 0.0) {
+            let lag = if coming.progress < LAGS_UNTIL { self.lag_m } else { 0.0 };
+            let sole = foot.sole_at(self.placed, now.toes).map(|p| p - DVec3::Y * lag);
+            let wait = self.landing.wait(ground, &sole);
             let back = DVec3::new(wait.x, 0.0, wait.y);
             self.placed.position += back;
             self.slip.value += back;
@@ -310,11 +317,14 @@ impl Grip<'_> {
         let rise = state.lower.value + state.rise.value;
         let softness = self.settings.softness_m(leg);
         let raised = target.raised(rise);
+        let raised = if target.on_steps { self.no_lower(target, raised, sample) } else { raised };
         let bent = leg.bent_to(hips, &self.goal(raised), bend, softness, &mut sample.angles);
         let times = self.settings.haste.max(1.0);
         let turns = state.haste.hold(leg, hips, bent.turns, times, &mut sample.angles, dt_secs);
         let frame = self.world_from_figure.then(leg.foot_held_by(hips, &turns));
         let foot = &self.footing.feet[self.side];
+        let tip = foot.sole[Sole::TOES];
+        state.lag_m = (target.frame.point(tip).y - frame.point(tip).y).clamp(0.0, MOST_LAG_M);
         let sunk = raised.point(foot.roll).y - frame.point(foot.roll).y;
         Held { frame, sunk_m: target.ball * sunk }
     }
@@ -358,6 +368,23 @@ impl Grip<'_> {
         let softness = self.settings.softness_m(leg);
         let flexion = leg.foot_flexion(hips, &self.goal(target.raised(rise)), bend, softness, &sample.angles);
         flexion.map_or(0.0, |flexion| beyond_range(leg, was.flexion, flexion))
+    }
+
+    /// A foot whose heel was raised, higher by as much as its toes are then nearer to the plane than they were to be: as the
+    /// motion has them while the foot swings, bent up as far as they go while it stands.
+    fn no_lower(&self, target: &Target, raised: Frame, sample: &Sample) -> Frame {
+        let (leg, foot) = (&self.footing.legs.sides[self.side], &self.footing.feet[self.side]);
+        let toes = if target.coming.is_some() {
+            foot.toes_in_foot(leg, sample)
+        } else {
+            foot.toes_up(sample.angles[leg.toes_bone().index()])
+        };
+        let lowest = |frame: Frame| {
+            let above = foot.sole_at(frame, toes).map(|p| p.y - target.plane.height_at(level(p)));
+            above.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let up = (lowest(target.frame) - lowest(raised)).max(0.0);
+        Frame { position: raised.position + DVec3::Y * up, ..raised }
     }
 
     fn goal(&self, world_from_foot: Frame) -> FootGoal {

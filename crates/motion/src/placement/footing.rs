@@ -5,6 +5,9 @@ use rig::{Angles, Bone, Dof, Figure, Frame, Joint};
 
 use crate::{Leg, Legs, Sample, Sole, Soles};
 
+/// What is kept in reserve of how far toes bend up, degrees.
+const TOES_RESERVE: f64 = 8.0;
+
 /// What placement needs of a figure: legs, soles, hips and spine.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Footing {
@@ -110,6 +113,15 @@ impl Foot {
         self.toes
             .as_ref()
             .map_or(Frame::IDENTITY, |toes| foot_from_toes(toes, sample.angles[leg.toes_bone().index()]))
+    }
+
+    /// The same with the toes bent up nearly as far as their range goes.
+    pub fn toes_up(&self, angles: Angles) -> Frame {
+        self.toes.as_ref().map_or(Frame::IDENTITY, |toes| {
+            let range = toes.joint.range(Dof::Flexion);
+            let flexion = range.map_or(angles.flexion, |range| (range.min + TOES_RESERVE).min(range.max));
+            foot_from_toes(toes, Angles { flexion, ..angles })
+        })
     }
 }
 

@@ -28,7 +28,7 @@ const KNOTS: usize = 24;
 /// How fast a foot goes up steps, against going there evenly.
 const UP_FIRST: f64 = 1.2;
 /// How far a sole passes above steps, metres.
-const CLEARS_M: f64 = 0.02;
+const CLEARS_M: f64 = 0.03;
 /// How far before an edge a foot that isn't yet above it waits, the farthest
 /// that it stays back and how finely that is looked for, metres.
 const AHEAD_M: f64 = 0.03;
@@ -169,7 +169,7 @@ impl Landing {
         // The place stays that which was chosen, though the figure's way there changes a little.
         let shift = self.way.map_or(DVec2::ZERO, |way| way.to + way.shift - level(roll));
         let roll = roll + DVec3::new(shift.x, 0.0, shift.y);
-        let plane = Plane::under(ground, level(roll), &foot.print.map(|point| level(roll) + turned(point)));
+        let plane = Plane::of_foot(ground, level(roll), foot, |point| level(roll) + turned(point));
         let tilt = DQuat::from_rotation_arc(DVec3::Y, plane.normal());
         let ankle = DVec3::new(roll.x, plane.height + roll.y, roll.z)
             + tilt * (world_from_figure.rotation * (touch.ankle - touch.roll));

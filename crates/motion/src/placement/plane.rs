@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use super::fade::smooth;
+use super::footing::Foot;
 use crate::Ground;
 
 /// The steepest plane that a foot is laid on, rise over run: 40 degrees.
@@ -31,9 +32,19 @@ impl Plane {
         DVec3::new(-self.gradient.x, 1.0, -self.gradient.y).normalize()
     }
 
+    /// The plane on which a foot stands, given where its points are over the level. On ground with steps an edge may lie
+    /// under any of the sole; elsewhere its corners tell enough.
+    pub fn of_foot(ground: &Ground, at: DVec2, foot: &Foot, place: impl Fn(DVec3) -> DVec2) -> Plane {
+        if ground.has_steps() {
+            Plane::under(ground, at, &foot.sole.map(place))
+        } else {
+            Plane::under(ground, at, &foot.print.map(place))
+        }
+    }
+
     /// The plane on which a sole with those points stands, given about a place: least squares over the ground that
     /// carries it. Of ground with steps that is the highest: what lies lower than a step carries nothing.
-    pub fn under(ground: &Ground, at: DVec2, points: &[DVec2; 5]) -> Plane {
+    pub fn under<const N: usize>(ground: &Ground, at: DVec2, points: &[DVec2; N]) -> Plane {
         let (samples, highest) = samples(ground, at, points);
         let (mut square, mut right) = (DMat3::ZERO, DVec3::ZERO);
         for Patch { off, height, gradient } in samples {
