@@ -196,12 +196,12 @@ fn run_on_chain(
     save: Option<&Path>,
     report: Option<&Path>,
 ) -> Result<(), Failure> {
-    let (editor, reports) = load::chain_script(path, on)?;
+    let ran = load::chain_script(path, on)?;
     if let Some(save) = save {
-        load::save_chain(editor.document(), load::chain_of(path, on)?.as_deref(), save)?;
+        load::save_chain(ran.editor.document(), Some(&ran.chain), save)?;
     }
     match report {
-        Some(to) => write_json(&reports, to),
+        Some(to) => write_json(&ran.reports, to),
         None => Ok(()),
     }
 }

@@ -17,9 +17,7 @@ use rig::{Figure, Pose, PosePatch};
 use crate::disk::{Disk, MODEL_LIMIT, read_bytes, read_text};
 use crate::failure::Failure;
 use crate::library::shipped;
-pub use chain::{
-    chain_editor, chain_of, open_chain, save as save_chain, script as chain_script, shows_chain,
-};
+pub use chain::{chain_editor, open_chain, save as save_chain, script as chain_script, shows_chain};
 pub use clip::{clip, pose_at};
 pub use fit::{Makers, fit};
 pub use ground::ground;

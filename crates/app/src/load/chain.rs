@@ -31,7 +31,7 @@ pub fn shows_chain(path: &Path) -> Result<bool, Failure> {
 /// A file at fault: where and why; one that shows no chain.
 pub fn chain_editor(path: &Path) -> Result<(ChainEditor, Vec<ChainReport>), Failure> {
     if Kind::of(path)? == Kind::Script {
-        return script(path, None);
+        return script(path, None).map(|ran| (ran.editor, ran.reports));
     }
     let (editor, warnings) = open_chain(path)?;
     for warning in warnings {
@@ -64,11 +64,21 @@ pub fn open_chain(path: &Path) -> Result<(ChainEditor, Vec<String>), Failure> {
     Ok((ChainEditor::of(if stands { document } else { document.on_the_ground() }), warnings))
 }
 
+/// What a script made of a chain.
+pub struct Ran {
+    /// The editor that ran it.
+    pub editor: ChainEditor,
+    /// What each command did.
+    pub reports: Vec<ChainReport>,
+    /// The file of the chain before.
+    pub chain: PathBuf,
+}
+
 /// What a script makes of its chain, or of the one of another file.
 ///
 /// # Errors
 /// As [`chain_editor`].
-pub fn script(path: &Path, on: Option<&Path>) -> Result<(ChainEditor, Vec<ChainReport>), Failure> {
+pub fn script(path: &Path, on: Option<&Path>) -> Result<Ran, Failure> {
     let script = parse_chain_script(&read_text(path)?).map_err(|fault| at(path, &fault))?;
     let chain = on.map_or_else(|| beside(path, &script.chain), Path::to_owned);
     if Kind::of(&chain)? == Kind::Script {
@@ -76,18 +86,7 @@ pub fn script(path: &Path, on: Option<&Path>) -> Result<(ChainEditor, Vec<ChainR
     }
     let (mut editor, _) = chain_editor(&chain)?;
     let reports = run_chain_script(&mut editor, &script).map_err(|fault| at(path, &fault))?;
-    Ok((editor, reports))
-}
-
-/// The file of the chain on which a script runs.
-///
-/// # Errors
-/// The script can't be read.
-pub fn chain_of(path: &Path, on: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
-    match on {
-        Some(on) => Ok(Some(on.to_owned())),
-        None => Ok(chain_of_script(&read_text(path)?).map(|name| beside(path, &name))),
-    }
+    Ok(Ran { editor, reports, chain })
 }
 
 /// Saves a chain that was read from some file, whole or not at all. The files that it names are named from its new place.
