@@ -7,7 +7,7 @@ use kin::Interval;
 use kin::chain::Root;
 use rig::{ChangeError, DofPart, Frame, NewLink, Robot, RobotGoal, RobotJointKind, RootMoves};
 
-use super::command::{ChainCommand, ChainGoal, ChainPart, ChainRoot};
+use super::command::{ChainCommand, ChainGoal, ChainPart, ChainRoot, ChainSolver};
 use super::document::{ChainDocument, ChainOutcome, ChainReach};
 use super::node::{self, ChainNode};
 use crate::{By, Rejected};
@@ -30,7 +30,10 @@ pub(super) fn apply(document: &ChainDocument, command: &ChainCommand) -> Applied
         ChainCommand::Slide { joint, metres, by, part } => {
             shift(document, joint, *part, finite(*metres, "metres")?, *by, false)
         }
-        ChainCommand::Reach { .. } => reach(document, command),
+        ChainCommand::Reach { link, to, point, rotation, solver, root } => {
+            let asked = Reaching { to, point: *point, rotation: *rotation, solver: *solver, root: *root };
+            reach(document, link, &asked)
+        }
         ChainCommand::Append { to, name, length, range, axis } => {
             let to = robot.find_link(to)?;
             let range = ordered(*range)?.scaled(1f64.to_radians());
@@ -128,10 +131,17 @@ fn shift(
     Ok((ChainDocument { pose, ..document.clone() }, ChainOutcome { message, clamped, reach: None }))
 }
 
-fn reach(document: &ChainDocument, command: &ChainCommand) -> Applied {
-    let ChainCommand::Reach { link: name, to, point, rotation, solver, root } = command else {
-        return Err(Rejected("no reach".to_owned()));
-    };
+/// Where a link's point is to go, and how.
+struct Reaching<'a> {
+    to: &'a ChainGoal,
+    point: Option<DVec3>,
+    rotation: Option<DQuat>,
+    solver: ChainSolver,
+    root: ChainRoot,
+}
+
+fn reach(document: &ChainDocument, name: &str, asked: &Reaching<'_>) -> Applied {
+    let &Reaching { to, point, rotation, solver, root } = asked;
     let robot = &document.robot;
     let link = robot.find_link(name)?;
     let point = finite_point(point.unwrap_or_else(|| robot.tip(link)), "point")?;
@@ -148,21 +158,21 @@ fn reach(document: &ChainDocument, command: &ChainCommand) -> Applied {
         link,
         point,
         target,
-        rotation: *rotation,
+        rotation,
         // What may not be placed anywhere can't be drawn along either.
-        root: if document.root == RootMoves::Free { (*root).into() } else { Root::Held },
-        solver: (*solver).into(),
+        root: if document.root == RootMoves::Free { root.into() } else { Root::Held },
+        solver: solver.into(),
         ranges: document.ranges,
         held: node::base(robot).filter(|base| {
             // A base is part of what stands still, unless it is the very thing that is drawn.
-            *root == ChainRoot::Held && ChainNode::of_link(robot, link).joint(robot) != Some(*base)
+            root == ChainRoot::Held && ChainNode::of_link(robot, link).joint(robot) != Some(*base)
         }),
     };
     let found = robot.reach(&document.pose, document.world_from_root, &goal).map_err(Rejected)?;
     let reach = ChainReach {
-        link: name.clone(),
+        link: name.to_owned(),
         target,
-        solver: *solver,
+        solver,
         reached: found.reached,
         residual_m: found.residual_m,
         residual_deg: found.residual_rad.to_degrees(),
