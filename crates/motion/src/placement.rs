@@ -7,6 +7,7 @@
 //! the least that lets both legs reach.
 
 mod fade;
+mod fastest;
 mod foot;
 mod footing;
 mod haste;

@@ -3,13 +3,12 @@
 use glam::{DQuat, DVec3};
 use rig::{Angles, Bone, Frame};
 
+use super::fastest::Fastest;
 use crate::Leg;
 
 /// What a motion that was seen for a moment only is taken to turn hip, knee, ankle and the shank against the hips by at
 /// most, radians a second.
 const AT_LEAST: [f64; 4] = [2.0, 3.5, 2.0, 2.5];
-/// How long a motion's fastest turn counts, seconds: a third is left of it then.
-const REMEMBERED_SECS: f64 = 6.0;
 
 /// What a leg remembers of its turns: hip, knee and ankle.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -18,7 +17,7 @@ pub(super) struct Haste {
     placed: [Angles; 3],
     turned: [DQuat; 4],
     /// Of the motion, radians a second; the shank is the last.
-    fastest: [f64; 4],
+    fastest: [Fastest; 4],
 }
 
 impl Haste {
@@ -26,9 +25,9 @@ impl Haste {
     pub fn see(&mut self, flat: &[DQuat; 3], dt_secs: f64) {
         let now = with_shank(*flat);
         if dt_secs > 0.0 {
-            let left = (-dt_secs / REMEMBERED_SECS).exp();
+            let left = Fastest::left(dt_secs);
             for ((fastest, now), before) in self.fastest.iter_mut().zip(now).zip(self.flat) {
-                *fastest = (*fastest * left).max(between(before, now) / dt_secs);
+                fastest.see(between(before, now), left, dt_secs);
             }
         }
         self.flat = now;
@@ -71,7 +70,7 @@ impl Haste {
     fn share<const N: usize>(&self, now: &[DQuat; 4], which: [usize; N], secs: f64) -> f64 {
         which.into_iter().fold(1.0, |share, turn| {
             let turned = between(self.turned[turn], now[turn]);
-            let most = self.fastest[turn].max(AT_LEAST[turn]) * secs;
+            let most = self.fastest[turn].most(AT_LEAST[turn], secs);
             if turned > most { share.min(most / turned) } else { share }
         })
     }

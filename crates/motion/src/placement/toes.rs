@@ -3,6 +3,7 @@
 use rig::{Dof, Frame};
 
 use super::fade::{Fade, smooth};
+use super::fastest::Fastest;
 use super::foot::Target;
 use super::footing::{Footing, foot_from_toes};
 use crate::{Ground, Sample};
@@ -20,8 +21,6 @@ const NEAR_M: f64 = 1e-4;
 const AT_LEAST: f64 = 100.0;
 /// What toes that the ball doesn't hold bend up at most, degrees.
 const MOST_LIFT: f64 = 25.0;
-/// For how long its fastest bend counts, seconds.
-const REMEMBERED_SECS: f64 = 6.0;
 
 /// What toes remember.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -32,7 +31,7 @@ pub(super) struct ToesState {
     flat: f64,
     placed: f64,
     /// The motion's fastest bend, degrees a second.
-    fastest: f64,
+    fastest: Fastest,
 }
 
 impl ToesState {
@@ -40,9 +39,8 @@ impl ToesState {
     fn bend(&mut self, flat: f64, goal: f64, quickness: f64, times: f64, dt_secs: f64) -> f64 {
         self.bent.follow(goal, quickness, dt_secs, dt_secs == 0.0);
         if dt_secs > 0.0 {
-            let left = (-dt_secs / REMEMBERED_SECS).exp();
-            self.fastest = (self.fastest * left).max((flat - self.flat).abs() / dt_secs);
-            let most = self.fastest.max(AT_LEAST) * times * dt_secs;
+            self.fastest.see((flat - self.flat).abs(), Fastest::left(dt_secs), dt_secs);
+            let most = self.fastest.most(AT_LEAST, times * dt_secs);
             let held = (flat + self.bent.value).clamp(self.placed - most, self.placed + most);
             if held != flat + self.bent.value {
                 self.bent = Fade { value: held - flat, rate: 0.0 };
