@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use rig::{Angles, Bone, Dof, Figure, Frame};
 
-use crate::{Bend, FootGoal, Leg, Legs, Sample, Sole, Soles};
+use crate::{Bend, FootGoal, Footing, Leg, Sample, Sole, Soles};
 
 /// A leg that is nearer to straight than this in both figures bends alike in both: distance over full reach.
 const NEARLY_STRAIGHT: f64 = 0.97;
@@ -15,7 +15,7 @@ const ROUNDS: usize = 8;
 /// A figure on its feet: what the motion of one must know of the other.
 pub(crate) struct Standing<'a> {
     pub figure: &'a Figure,
-    pub legs: Legs,
+    footing: Footing,
     pub soles: Soles,
     /// Between the hip joints, in the frame of the hips, metres.
     middle: DVec3,
@@ -41,35 +41,25 @@ struct Wish {
 impl<'a> Standing<'a> {
     /// `None` if the figure lacks a leg.
     pub fn of(figure: &'a Figure) -> Option<Standing<'a>> {
-        let (legs, soles) = (Legs::of(figure)?, Soles::of(figure)?);
+        let (footing, soles) = (Footing::of(figure)?, Soles::of(figure)?);
         let rest = figure.rest_pose();
         let hips = Frame::new(DQuat::IDENTITY, rest.hips);
-        let middle = (legs.sides[0].hip(hips) + legs.sides[1].hip(hips)) * 0.5;
+        let middle = (footing.legs.sides[0].hip(hips) + footing.legs.sides[1].hip(hips)) * 0.5;
         let ground = soles.lowest(&rig::frames(figure, &rest));
         let leg_height_m = (middle.y - ground).max(1e-6);
-        Some(Standing { figure, legs, soles, middle: middle - rest.hips, leg_height_m })
-    }
-
-    /// The frame of the hips in figure space.
-    fn hips(&self, sample: &Sample) -> Frame {
-        let angles = sample.angles[Bone::Hips.index()];
-        let turn = self.figure.skeleton.joint(Bone::Hips).map_or(DQuat::IDENTITY, |j| j.rotation(angles));
-        Frame::new(turn, sample.hips)
+        Some(Standing { figure, footing, soles, middle: middle - rest.hips, leg_height_m })
     }
 
     /// The sole's points about the ankle, for a foot turned in figure space and its toes.
     fn sole_about_ankle(&self, side: usize, foot: DQuat, toes: Angles) -> [DVec3; Sole::COUNT] {
-        let joint = self.legs.sides[side].toes();
-        self.soles.feet[side].points.map(|point| match joint.filter(|joint| joint.bone == point.bone) {
-            Some(joint) => foot * (joint.offset + joint.rotation(toes) * point.at),
-            None => foot * point.at,
-        })
+        let own = &self.footing.feet[side];
+        own.sole_at(Frame::new(foot, DVec3::ZERO), own.toes_bent(toes))
     }
 
     /// The sole's points in figure space.
     pub fn sole(&self, side: usize, sample: &Sample) -> [DVec3; Sole::COUNT] {
-        let leg = &self.legs.sides[side];
-        let foot = leg.ankle_and_foot(self.hips(sample), &sample.angles);
+        let leg = &self.footing.legs.sides[side];
+        let foot = leg.ankle_and_foot(self.footing.hips(sample), &sample.angles);
         let toes = sample.angles[leg.toes_bone().index()];
         self.sole_about_ankle(side, foot.rotation, toes).map(|p| p + foot.position)
     }
@@ -82,13 +72,13 @@ pub(crate) fn refit(samples: &mut [Sample], from: &Standing, to: &Standing, loop
     let mut drops = Vec::with_capacity(samples.len());
     for sample in samples.iter_mut() {
         let mut own = [0, 1].map(|side| wish(from, to, side, sample, scale));
-        let middle = from.hips(sample).point(from.middle);
+        let middle = from.footing.hips(sample).point(from.middle);
         hold_in_ranges(to.figure, sample);
-        for (wish, leg) in own.iter_mut().zip(&to.legs.sides) {
+        for (wish, leg) in own.iter_mut().zip(&to.footing.legs.sides) {
             wish.toes = sample.angles[leg.toes_bone().index()];
         }
         sample.hips = DVec3::ZERO;
-        sample.hips = middle * scale - to.hips(sample).point(to.middle);
+        sample.hips = middle * scale - to.footing.hips(sample).point(to.middle);
         drops.push(drop(to, sample, &own));
         wishes.push(own);
     }
@@ -103,13 +93,13 @@ pub(crate) fn refit(samples: &mut [Sample], from: &Standing, to: &Standing, loop
 }
 
 fn wish(from: &Standing, to: &Standing, side: usize, sample: &Sample, scale: f64) -> Wish {
-    let leg = &from.legs.sides[side];
-    let foot = leg.ankle_and_foot(from.hips(sample), &sample.angles);
+    let leg = &from.footing.legs.sides[side];
+    let foot = leg.ankle_and_foot(from.footing.hips(sample), &sample.angles);
     let toes = sample.angles[leg.toes_bone().index()];
     let sole = from.sole_about_ankle(side, foot.rotation, toes).map(|p| p + foot.position);
     let lowest = sole.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
     let stretch = leg.bend(&sample.angles).distance / leg.full_reach();
-    let bend = to.legs.sides[side].bend(&sample.angles);
+    let bend = to.footing.legs.sides[side].bend(&sample.angles);
     Wish {
         rotation: foot.rotation,
         toes,
@@ -142,9 +132,9 @@ fn ankle(to: &Standing, side: usize, wish: &Wish, rotation: DQuat) -> DVec3 {
 
 /// How much lower the hips must be for both legs to reach, metres.
 fn drop(to: &Standing, sample: &Sample, wishes: &[Wish; 2]) -> f64 {
-    let hips = to.hips(sample);
+    let hips = to.footing.hips(sample);
     let needed = wishes.iter().enumerate().map(|(side, wish)| {
-        let leg = &to.legs.sides[side];
+        let leg = &to.footing.legs.sides[side];
         let reach = leg.full_reach() * wish.stretch.clamp(NEARLY_STRAIGHT, 1.0);
         let from_ankle = leg.hip(hips) - ankle(to, side, wish, wish.rotation);
         let level = from_ankle.x * from_ankle.x + from_ankle.z * from_ankle.z;
@@ -171,8 +161,8 @@ fn eased(drops: &[f64], around: usize, loops: bool) -> Vec<f64> {
 
 /// Bends the leg so that the sole does what is wished. A foot that stops at a range is placed anew as it is turned.
 fn solve(to: &Standing, side: usize, wish: &Wish, sample: &mut Sample) {
-    let leg: &Leg = &to.legs.sides[side];
-    let hips = to.hips(sample);
+    let leg: &Leg = &to.footing.legs.sides[side];
+    let hips = to.footing.hips(sample);
     let mut rotation = wish.rotation;
     for _ in 0..ROUNDS {
         let goal = FootGoal { ankle: ankle(to, side, wish, rotation), rotation: wish.rotation };

@@ -13,14 +13,14 @@ const TOES_RESERVE: f64 = 8.0;
 pub struct Footing {
     /// Its legs.
     pub legs: Legs,
-    pub(super) feet: [Foot; 2],
+    pub(crate) feet: [Foot; 2],
     hips: Joint,
     spine: Vec<Joint>,
 }
 
 /// A foot's sole in its own frame.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Foot {
+pub(crate) struct Foot {
     /// The sole's points and whether they are fixed in the toes' frame.
     pub points: [(DVec3, bool); Sole::COUNT],
     /// The middle of the heel and of the ball, in the foot's frame.
@@ -32,7 +32,7 @@ pub(super) struct Foot {
     pub print: [DVec3; 5],
     /// The whole sole's points, in the foot's frame with the toes at rest.
     pub sole: [DVec3; Sole::COUNT],
-    pub toes: Option<Toes>,
+    pub(super) toes: Option<Toes>,
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -110,18 +110,19 @@ impl Foot {
 
     /// `foot_from_toes`; without toes nothing is fixed in them.
     pub fn toes_in_foot(&self, leg: &Leg, sample: &Sample) -> Frame {
-        self.toes
-            .as_ref()
-            .map_or(Frame::IDENTITY, |toes| foot_from_toes(toes, sample.angles[leg.toes_bone().index()]))
+        self.toes_bent(sample.angles[leg.toes_bone().index()])
+    }
+
+    /// The same for angles of the toes.
+    pub fn toes_bent(&self, angles: Angles) -> Frame {
+        self.toes.as_ref().map_or(Frame::IDENTITY, |toes| foot_from_toes(toes, angles))
     }
 
     /// The same with the toes bent up nearly as far as their range goes.
     pub fn toes_up(&self, angles: Angles) -> Frame {
-        self.toes.as_ref().map_or(Frame::IDENTITY, |toes| {
-            let range = toes.joint.range(Dof::Flexion);
-            let flexion = range.map_or(angles.flexion, |range| (range.min + TOES_RESERVE).min(range.max));
-            foot_from_toes(toes, Angles { flexion, ..angles })
-        })
+        let range = self.toes.as_ref().and_then(|toes| toes.joint.range(Dof::Flexion));
+        let flexion = range.map_or(angles.flexion, |range| (range.min + TOES_RESERVE).min(range.max));
+        self.toes_bent(Angles { flexion, ..angles })
     }
 }
 
