@@ -60,24 +60,15 @@ impl Block {
             let half = Num::all(simd, 0.5);
             self.slope[0].set(part, (left_ground.along_x + right_ground.along_x) * half);
             self.slope[1].set(part, (left_ground.along_z + right_ground.along_z) * half);
-            self.stand(simd, part, figure, 0, left, left_ground, lift);
-            self.stand(simd, part, figure, 1, right, right_ground, lift);
+            self.stand(simd, part, figure, 0, Stand { leg: left, ground: left_ground, lift });
+            self.stand(simd, part, figure, 1, Stand { leg: right, ground: right_ground, lift });
         }
     }
 
     /// One leg brought to its ground, the hips being lifted.
     #[inline(always)]
-    #[allow(clippy::too_many_arguments)] // a kernel's inputs, each a register
-    fn stand<S: Simd>(
-        &mut self,
-        simd: S,
-        part: usize,
-        figure: &CrowdFigure,
-        side: usize,
-        leg: Animated<S>,
-        ground: Underfoot<S>,
-        lift: Num<S>,
-    ) {
+    fn stand<S: Simd>(&mut self, simd: S, part: usize, figure: &CrowdFigure, side: usize, stand: Stand<S>) {
+        let Stand { leg, ground, lift } = stand;
         let (zero, one) = (Num::all(simd, 0.0), Num::all(simd, 1.0));
         let shift = Vector { x: zero, y: ground.height - lift, z: zero };
         let turns = figure.legs[side].shifted(simd, leg.turns, shift);
@@ -210,6 +201,15 @@ const fn placed(bone: usize) -> Option<(usize, usize)> {
         side += 1;
     }
     None
+}
+
+/// What brings a leg to its ground.
+#[derive(Clone, Copy)]
+struct Stand<S: Simd> {
+    leg: Animated<S>,
+    ground: Underfoot<S>,
+    /// Of the hips, metres.
+    lift: Num<S>,
 }
 
 #[derive(Clone, Copy)]
