@@ -45,4 +45,4 @@ pub use tree::{
     At, BLEND_VERSION, BlendView, Condition, OutlineNode, Plan, PlanFault, PlanNode, Step, Transition, Tree,
     TreeState, parse_plan, read_tree, write_plan,
 };
-pub use walker::{Smoothing, Walker};
+pub use walker::Walker;

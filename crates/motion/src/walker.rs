@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DQuat, DVec2, DVec3};
+use glam::{DQuat, DVec3};
 use rig::{Figure, Place, Pose};
 
 use crate::{
@@ -19,22 +19,6 @@ const SLOPE_SECS: f64 = 0.25;
 /// How long the feet take to the ground, and back, when that is switched on or off.
 const SWITCH_SECS: f64 = 0.3;
 
-/// How fast a walker follows its steering.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Smoothing {
-    /// Metres a second, each second.
-    pub acceleration: f64,
-    /// Degrees a second, each second.
-    pub turn_acceleration: f64,
-}
-
-impl Default for Smoothing {
-    /// As fast as people set out and stop: 0 to a walk in 0.7 s.
-    fn default() -> Smoothing {
-        Smoothing { acceleration: 2.0, turn_acceleration: 180.0 }
-    }
-}
-
 /// A figure that walks. Same start, same steps, same bits.
 #[derive(Clone, Debug)]
 pub struct Walker {
@@ -42,8 +26,6 @@ pub struct Walker {
     /// is as high as the ground under the figure. Between steps they don't jump: a change takes 0.3 s to come
     /// into force, except before the first.
     pub feet_on_ground: bool,
-    /// How fast it follows its steering; `None`: at once.
-    pub smoothing: Option<Smoothing>,
     figure: Arc<Figure>,
     tree: Arc<Tree>,
     state: TreeState,
@@ -67,7 +49,6 @@ impl Walker {
     pub fn new(figure: Arc<Figure>, tree: Arc<Tree>) -> Walker {
         let mut walker = Walker {
             feet_on_ground: true,
-            smoothing: None,
             state: TreeState::new(&tree),
             steering: Steering::default(),
             slope: None,
@@ -90,10 +71,7 @@ impl Walker {
     /// Goes on by a time step, seconds: NaN and less than 0 count as 0, more than 1 as 1.
     pub fn step(&mut self, ground: &Ground, steering: &Steering, dt_secs: f64) {
         let dt_secs = if dt_secs > 0.0 { dt_secs.min(LONGEST_STEP_SECS) } else { 0.0 };
-        self.steering = match &self.smoothing {
-            Some(smoothing) => smoothing.toward(&self.steering, &steering.tidied(), dt_secs),
-            None => steering.tidied(),
-        };
+        self.steering = steering.tidied();
         self.steering.slope = self.slope_ahead(ground, dt_secs);
         self.tree.step(&mut self.state, &self.steering, dt_secs);
         self.pose.place = carried(self.pose.place, self.state.travel(), dt_secs);
@@ -223,7 +201,7 @@ impl Walker {
         self.state.named_weights(&self.tree)
     }
 
-    /// What it follows now: the last step's steering, smoothed if it is to be, with the slope ahead.
+    /// What it follows now: the last step's steering with the slope ahead.
     pub fn steering(&self) -> &Steering {
         &self.steering
     }
@@ -258,25 +236,6 @@ fn toward(sample: &mut Sample, other: &Sample, raised: f64, part: f64) {
         angles.flexion += (other.flexion - angles.flexion) * part;
         angles.abduction += (other.abduction - angles.abduction) * part;
         angles.twist += (other.twist - angles.twist) * part;
-    }
-}
-
-impl Smoothing {
-    /// From one steering toward another, no faster than allowed.
-    fn toward(&self, from: &Steering, to: &Steering, dt_secs: f64) -> Steering {
-        // Also without NaN: no time at no end of acceleration.
-        let limit = |x: f64| if x * dt_secs > 0.0 { x * dt_secs } else { 0.0 };
-        let way = DVec2::new(to.forward - from.forward, to.sideways - from.sideways);
-        let way = way.clamp_length_max(limit(self.acceleration));
-        let toward = |from: f64, to: f64, most: f64| from + (to - from).clamp(-most, most);
-        Steering {
-            speed: toward(from.speed, to.speed, limit(self.acceleration)),
-            forward: from.forward + way.x,
-            sideways: from.sideways + way.y,
-            turn: toward(from.turn, to.turn, limit(self.turn_acceleration)),
-            slope: to.slope,
-            sit: to.sit,
-        }
     }
 }
 

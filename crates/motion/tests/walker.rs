@@ -7,7 +7,7 @@ mod gaits;
 
 use std::sync::{Arc, LazyLock};
 
-use motion::{Ground, GroundKind, Smoothing, Steering, Walker, read_tree};
+use motion::{Ground, GroundKind, Steering, Walker, read_tree};
 use rig::{Bone, Figure, Place};
 
 static FIGURE: LazyLock<Arc<Figure>> = LazyLock::new(|| Arc::new(figures::shipped("mannequin")));
@@ -65,7 +65,6 @@ fn a_walk_that_turns_besides_goes_around_a_circle() {
 #[test]
 fn hostile_numbers_leave_it_finite() {
     let mut walker = walker(TREE);
-    walker.smoothing = Some(Smoothing { acceleration: f64::NAN, turn_acceleration: f64::INFINITY });
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
         let steering =
             Steering { speed: value, forward: value, sideways: value, turn: value, slope: value, sit: true };
@@ -76,18 +75,6 @@ fn hostile_numbers_leave_it_finite() {
     }
     walker.set_place(Place { position: glam::DVec3::NAN, turn: f64::INFINITY });
     assert_eq!(walker.place(), Place::default());
-}
-
-#[test]
-fn smooth_steering_gathers_speed() {
-    let mut walker = walker(TREE);
-    walker.smoothing = Some(Smoothing { acceleration: 2.0, turn_acceleration: 100.0 });
-    let steering = Steering { turn: 50.0, ..Steering::ahead(1.4) };
-    go(&mut walker, &steering, 0.35);
-    assert!((walker.steering().forward - 0.7).abs() < 1e-9, "{:?}", walker.steering());
-    assert!((walker.steering().turn - 35.0).abs() < 1e-9);
-    go(&mut walker, &steering, 1.0);
-    assert_eq!((walker.steering().forward, walker.steering().speed), (1.4, 1.4));
 }
 
 /// The farthest that a joint's angle goes in a step.
