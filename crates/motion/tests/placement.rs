@@ -72,6 +72,24 @@ fn on_flat_ground_a_standing_pose_stays_as_it_is() {
 }
 
 #[test]
+fn hips_that_are_lowered_bend_the_knees_and_the_soles_stay_on_the_ground() {
+    let figure = shipped("mannequin");
+    let footing = Footing::of(&figure).unwrap();
+    for (lower, heels_may_rise) in [(0.04, 0.02), (0.12, 0.08)] {
+        let mut pose = figure.rest_pose();
+        pose.hips += DVec3::new(0.03, -lower, 0.02);
+        for ground in [Ground::Flat, Ground::Slope(Slope::new(8.0, 40.0))] {
+            let stood = stand(&footing, &ground, &pose);
+            for foot in heights(&figure, &stood, &ground) {
+                assert!(foot.iter().all(|off| (-0.01..heels_may_rise).contains(off)), "{lower}: {foot:?}");
+                assert!(foot[Sole::BALL] < 0.015, "{lower}: {foot:?}");
+            }
+            assert!(stood.angles(Bone::LeftLowerLeg).flexion > 20.0);
+        }
+    }
+}
+
+#[test]
 fn a_raised_foot_stays_raised() {
     let figure = shipped("mannequin");
     let footing = Footing::of(&figure).unwrap();
