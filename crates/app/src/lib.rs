@@ -42,4 +42,4 @@ pub use settings::{ConfigFolder, Look, Settings};
 pub use theme::apply as apply_theme;
 pub use toolbar::Acting;
 pub use viewport::{Body, Guide, Guides, Viewport, install as install_picture};
-pub use walk::{GroundKind, Mark, Walk};
+pub use walk::{GroundSource, Mark, Walk};

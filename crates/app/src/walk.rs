@@ -40,7 +40,7 @@ use picture::{Figured, Shown};
 use stage::{Moment, Stage, frames_of};
 use standing::Standings;
 pub use steer::{Steer, Wish};
-pub use terrain::{Kind as GroundKind, Terrain, is_ground};
+pub use terrain::{Source as GroundSource, Terrain, is_ground};
 use tree_file::TreeFile;
 pub use tree_file::is_tree;
 

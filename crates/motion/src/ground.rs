@@ -39,6 +39,9 @@ pub struct Slope {
 }
 
 impl Slope {
+    /// How much it rises by default, degrees.
+    pub const RISE_DEG: f64 = 10.0;
+
     /// A slope that rises by so many degrees (at most 80 either way) toward a direction: 0 is along +Z, 90 along +X.
     /// Numbers that are none make it level.
     pub fn new(degrees: f64, toward_degrees: f64) -> Slope {
@@ -103,11 +106,16 @@ impl GroundKind {
         GroundKind::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
+    /// Whether another seed makes another ground.
+    pub const fn has_seed(self) -> bool {
+        matches!(self, GroundKind::Hills | GroundKind::Stones)
+    }
+
     /// Ground of that kind as it is by default. The seed matters to hills and stones.
     pub fn ground(self, seed: u64) -> Ground {
         match self {
             GroundKind::Flat => Ground::Flat,
-            GroundKind::Slope => Ground::Slope(Slope::new(10.0, 0.0)),
+            GroundKind::Slope => Ground::Slope(Slope::new(Slope::RISE_DEG, 0.0)),
             GroundKind::Hills => {
                 Ground::Hills(Arc::new(Hills::new(&HillsShape { seed, ..HillsShape::default() })))
             }

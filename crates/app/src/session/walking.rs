@@ -180,7 +180,7 @@ impl Session {
     /// Tells the panel which ground is chosen.
     pub(super) fn tell_of_ground(&mut self) {
         let row = self.panels.ground_mut();
-        (row.words, row.shows) = (self.walk.terrain.choice.kind.words(), self.walk.ground_in_pose);
+        (row.words, row.shows) = (self.walk.terrain.choice.source.words(), self.walk.ground_in_pose);
     }
 
     /// Does what was asked for in the panel's row about the ground.

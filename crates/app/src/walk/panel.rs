@@ -2,11 +2,12 @@
 
 use egui::{Button, ComboBox, RichText, ScrollArea, Ui};
 use kin::Interval;
+use motion::GroundKind;
 
 use super::cast::FIGURES;
 use super::marks::Mark;
 use super::steer::TOP_SPEED;
-use super::terrain::{Choice, Kind};
+use super::terrain::{Choice, Source};
 use super::{Walk, tree_view};
 use crate::action::Action;
 use crate::chains::panel::{heading, inset};
@@ -126,19 +127,19 @@ fn legend(ui: &mut Ui, keymap: &Keymap) {
 fn ground(ui: &mut Ui, walk: &mut Walk, asked: &mut Vec<Asked>) {
     let choice = &mut walk.terrain.choice;
     ui.horizontal(|ui| {
-        let combo = ComboBox::from_id_salt("ground kind").selected_text(choice.kind.words()).width(150.0);
+        let combo = ComboBox::from_id_salt("ground kind").selected_text(choice.source.words()).width(150.0);
         let shown = combo.show_ui(ui, |ui| {
-            for kind in Kind::ALL {
-                if ui.selectable_label(choice.kind == kind, kind.words()).clicked() {
-                    match kind {
-                        Kind::File => asked.push(Asked::OpenGround),
-                        kind => choice.kind = kind,
+            for source in Source::all() {
+                if ui.selectable_label(choice.source == source, source.words()).clicked() {
+                    match source {
+                        Source::File => asked.push(Asked::OpenGround),
+                        made => choice.source = made,
                     }
                 }
             }
         });
         shown.response.on_hover_text("What the figure walks on").accessible_name("Ground");
-        if choice.kind.has_seed() {
+        if choice.source.has_seed() {
             let mut seed = choice.seed as f64;
             let (_, rect) = ui.allocate_space(egui::vec2(58.0, 22.0));
             let number = Number {
@@ -180,8 +181,9 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
         suffix,
         decimals,
     };
-    match choice.kind {
-        Kind::Hills => vec![
+    let (rest, Source::Made(kind)) = (Choice::default(), choice.source) else { return Vec::new() };
+    match kind {
+        GroundKind::Hills => vec![
             (
                 slider(
                     "Steepest",
@@ -189,7 +191,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                     "The slope of the steepest place, degrees",
                     choice.steepest_deg,
                     [0.0, 35.0],
-                    20.0,
+                    rest.steepest_deg,
                     1.0,
                     "°",
                     0,
@@ -203,7 +205,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                     "From hill to hill, metres",
                     choice.wavelength_m,
                     [1.0, 12.0],
-                    4.0,
+                    rest.wavelength_m,
                     0.5,
                     " m",
                     1,
@@ -211,7 +213,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                 &mut choice.wavelength_m,
             ),
         ],
-        Kind::Slope => vec![(
+        GroundKind::Slope => vec![(
             slider(
                 "Rise",
                 "Rise of the slope",
@@ -225,7 +227,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
             ),
             &mut choice.slope_deg,
         )],
-        Kind::Stairs => vec![
+        GroundKind::Stairs => vec![
             (
                 slider(
                     "Step height",
@@ -233,7 +235,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                     "The height of a stair, metres",
                     choice.rise_m,
                     [0.05, 0.24],
-                    0.15,
+                    rest.rise_m,
                     0.01,
                     " m",
                     2,
@@ -247,7 +249,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                     "The depth of a tread, metres",
                     choice.going_m,
                     [0.22, 0.6],
-                    0.37,
+                    rest.going_m,
                     0.01,
                     " m",
                     2,
@@ -255,7 +257,7 @@ fn sliders(choice: &mut Choice) -> Vec<(Slider<'static>, &mut f64)> {
                 &mut choice.going_m,
             ),
         ],
-        Kind::Flat | Kind::Stones | Kind::File => Vec::new(),
+        GroundKind::Flat | GroundKind::Stones => Vec::new(),
     }
 }
 

@@ -3,56 +3,55 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use motion::{Ground, Hills, HillsShape, Rise, Slope, Stairs, Stones};
+use motion::{Ground, GroundKind, Hills, HillsShape, Rise, Slope, Stairs};
 
 use crate::failure::Failure;
 use crate::load;
 
-/// A kind of ground.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Kind {
-    /// Level.
-    Flat,
-    /// Rolling.
-    #[default]
-    Hills,
-    /// Even, up along +Z.
-    Slope,
-    /// Up, a landing, down.
-    Stairs,
-    /// Tops with gaps of lower ground.
-    Stones,
+/// What the ground is made from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Source {
+    /// A kind that needs no file.
+    Made(GroundKind),
     /// Triangles of a file.
     File,
 }
 
-impl Kind {
+impl Source {
     /// All, in the order of the chooser.
-    pub const ALL: [Kind; 6] = [Kind::Flat, Kind::Hills, Kind::Slope, Kind::Stairs, Kind::Stones, Kind::File];
+    pub fn all() -> impl Iterator<Item = Source> {
+        GroundKind::ALL.into_iter().map(Source::Made).chain([Source::File])
+    }
 
     /// As the chooser has it.
     pub const fn words(self) -> &'static str {
         match self {
-            Kind::Flat => "Flat",
-            Kind::Hills => "Hills",
-            Kind::Slope => "Slope",
-            Kind::Stairs => "Stairs",
-            Kind::Stones => "Stepping stones",
-            Kind::File => "From a file…",
+            Source::Made(GroundKind::Flat) => "Flat",
+            Source::Made(GroundKind::Hills) => "Hills",
+            Source::Made(GroundKind::Slope) => "Slope",
+            Source::Made(GroundKind::Stairs) => "Stairs",
+            Source::Made(GroundKind::Stones) => "Stepping stones",
+            Source::File => "From a file…",
         }
     }
 
     /// Whether another seed gives another ground.
     pub const fn has_seed(self) -> bool {
-        matches!(self, Kind::Hills | Kind::Stones)
+        matches!(self, Source::Made(kind) if kind.has_seed())
+    }
+}
+
+impl From<GroundKind> for Source {
+    fn from(kind: GroundKind) -> Source {
+        Source::Made(kind)
     }
 }
 
 /// What was chosen of the ground.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Choice {
-    /// Its kind.
-    pub kind: Kind,
+    /// What it is made from.
+    pub source: Source,
     /// Which of the grounds that chance makes.
     pub seed: u64,
     /// The steepest place of hills, degrees.
@@ -72,13 +71,13 @@ pub struct Choice {
 impl Default for Choice {
     fn default() -> Choice {
         Choice {
-            kind: Kind::default(),
+            source: GroundKind::Hills.into(),
             seed: 1,
-            steepest_deg: 20.0,
-            wavelength_m: 4.0,
-            slope_deg: 10.0,
-            rise_m: 0.15,
-            going_m: 0.37,
+            steepest_deg: HillsShape::STEEPEST_DEG,
+            wavelength_m: HillsShape::WAVELENGTH_M,
+            slope_deg: Slope::RISE_DEG,
+            rise_m: Stairs::RISE_M,
+            going_m: Stairs::GOING_M,
             file: None,
         }
     }
@@ -99,7 +98,7 @@ pub struct Terrain {
 
 impl Default for Terrain {
     fn default() -> Terrain {
-        let made = Choice { kind: Kind::Flat, ..Choice::default() };
+        let made = Choice { source: GroundKind::Flat.into(), ..Choice::default() };
         Terrain { choice: Choice::default(), made, ground: Ground::Flat, read: None, revision: 0 }
     }
 }
@@ -125,8 +124,8 @@ impl Terrain {
         if self.choice == self.made {
             return false;
         }
-        let ground = match (self.choice.kind, &self.read) {
-            (Kind::File, Some((path, ground))) if self.choice.file.as_ref() == Some(path) => ground.clone(),
+        let ground = match (self.choice.source, &self.read) {
+            (Source::File, Some((path, ground))) if self.choice.file.as_ref() == Some(path) => ground.clone(),
             _ => made(&self.choice),
         };
         self.made = self.choice.clone();
@@ -143,7 +142,7 @@ impl Terrain {
     pub fn open(&mut self, path: &Path) -> Result<(), Failure> {
         let ground = load::ground(&path.to_string_lossy(), 0)?;
         self.read = Some((path.to_owned(), ground.clone()));
-        (self.choice.kind, self.choice.file) = (Kind::File, Some(path.to_owned()));
+        (self.choice.source, self.choice.file) = (Source::File, Some(path.to_owned()));
         self.made = self.choice.clone();
         self.ground = ground;
         self.revision += 1;
@@ -158,17 +157,19 @@ pub fn is_ground(path: &Path) -> bool {
 }
 
 fn made(choice: &Choice) -> Ground {
-    match choice.kind {
-        // Of a file that isn't there yet nothing is known.
-        Kind::Flat | Kind::File => Ground::Flat,
-        Kind::Slope => Ground::Slope(Slope::new(choice.slope_deg, 0.0)),
-        Kind::Hills => Ground::Hills(Arc::new(Hills::new(&HillsShape {
+    // Of a file that isn't there yet nothing is known.
+    let Source::Made(kind) = choice.source else { return Ground::Flat };
+    match kind {
+        GroundKind::Slope => Ground::Slope(Slope::new(choice.slope_deg, 0.0)),
+        GroundKind::Hills => Ground::Hills(Arc::new(Hills::new(&HillsShape {
             seed: choice.seed,
             rise: Rise::Steepest(choice.steepest_deg),
             wavelength_m: choice.wavelength_m,
             ..HillsShape::default()
         }))),
-        Kind::Stairs => Ground::Stairs(Stairs::new(choice.rise_m, choice.going_m, 8, 3.0)),
-        Kind::Stones => Ground::Stones(Stones::new(choice.seed)),
+        GroundKind::Stairs => {
+            Ground::Stairs(Stairs::new(choice.rise_m, choice.going_m, Stairs::RISERS, Stairs::LANDING_M))
+        }
+        GroundKind::Flat | GroundKind::Stones => kind.ground(choice.seed),
     }
 }

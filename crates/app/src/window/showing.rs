@@ -2,6 +2,7 @@
 
 use edit::{ChainNode, Choose};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, pos2};
+use motion::GroundKind;
 use rig::{Bone, Limb};
 
 use crate::action::{Action, Group};
@@ -10,7 +11,7 @@ use crate::failure::Failure;
 use crate::keymap::defaults;
 use crate::session::Session;
 use crate::viewport::Guide;
-use crate::walk::{GroundKind, Mark};
+use crate::walk::{GroundSource, Mark};
 
 /// What was done in the window before its picture was taken.
 #[derive(clap::Args, Clone, PartialEq, Default, Debug)]
@@ -76,12 +77,9 @@ fn guide_of_word(word: &str) -> Result<Guide, String> {
 }
 
 fn ground(word: &str) -> Result<GroundKind, String> {
-    let kinds = GroundKind::ALL.into_iter().filter(|kind| *kind != GroundKind::File);
-    let words = |kind: GroundKind| bare(kind.words());
-    let found = kinds.clone().find(|kind| words(*kind) == bare(word));
-    found.ok_or_else(|| {
-        format!("no such ground; there are {}", kinds.map(words).collect::<Vec<_>>().join(", "))
-    })
+    let words = |kind: GroundKind| bare(GroundSource::Made(kind).words());
+    let found = GroundKind::ALL.into_iter().find(|kind| words(*kind) == bare(word));
+    found.ok_or_else(|| format!("no such ground; there are {}", GroundKind::ALL.map(words).join(", ")))
 }
 
 fn mark(word: &str) -> Result<Mark, String> {
@@ -133,7 +131,7 @@ impl Showing {
         }
         if let Some(kind) = self.walk_on {
             let walk = session.walk_mut();
-            walk.terrain.choice.kind = kind;
+            walk.terrain.choice.source = kind.into();
             walk.ground_in_pose = !walks;
         }
         self.walk_marks.iter().for_each(|mark| session.walk_mut().marks.set(*mark, true));

@@ -24,7 +24,7 @@ fn ready() -> Hand {
     hand
 }
 
-fn look_at(hand: &mut Hand, bone: Bone, distance: f32) {
+pub fn look_at(hand: &mut Hand, bone: Bone, distance: f32) {
     let place = hand.state().editor().evaluation().frames[bone].position;
     let camera = &mut hand.state_mut().viewport.camera;
     camera.target = place.as_vec3();
@@ -39,7 +39,7 @@ fn hover(hand: &mut Hand, place: Pos2) -> Option<Bone> {
 }
 
 /// Where a bone's skin is in the window, away from every target: found by moving the pointer about its joint.
-fn skin_of(hand: &mut Hand, bone: Bone) -> Pos2 {
+pub fn skin_of(hand: &mut Hand, bone: Bone) -> Pos2 {
     let viewport = &hand.state().viewport;
     let place = |point| viewport.window_of(point).unwrap();
     let joint = place(hand.state().editor().evaluation().frames[bone].position);

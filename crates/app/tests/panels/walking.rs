@@ -2,21 +2,24 @@
 
 use std::path::Path;
 
-use app::{Action, GroundKind, Section, Session, load};
+use app::{Action, GroundSource, Section, Session, load};
 use edit::Editor;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
+use motion::{GroundKind, Sole, Soles};
+use rig::Bone;
 
-use crate::hand::{Hand, LEFT_ARM, at, click, pose, set, set_number, steps};
+use crate::grabbing::{look_at, skin_of};
+use crate::hand::{Hand, LEFT_ARM, at, click, drag, pose, set, set_number, steps, undo};
 
 /// A window that walks, at so many frames a second. It repaints without end, so tests go frame by frame.
 fn walking(rate: f32) -> Hand {
     let mut session = Session::new(Editor::new(load::figure(None).unwrap()), None);
     session.walk_mut().steer.alone = false;
-    session.walk_mut().terrain.choice.kind = GroundKind::Flat;
+    session.walk_mut().terrain.choice.source = GroundKind::Flat.into();
     let mut hand = Harness::builder()
         .with_size(vec2(1280.0, 1200.0))
         .with_pixels_per_point(1.0)
@@ -150,7 +153,7 @@ fn the_pose_is_taken_as_one_step_and_undo_brings_the_former_back() {
 #[test]
 fn side_by_side_shows_two_pictures_and_marks_are_switched() {
     let mut hand = walking(30.0);
-    hand.state_mut().walk_mut().terrain.choice.kind = GroundKind::Hills;
+    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
     hand.state_mut().walk_mut().steer.alone = true;
     frames(&mut hand, 2);
     click_now(&mut hand, "Side by side");
@@ -219,7 +222,7 @@ fn a_tree_is_taken_on_when_it_is_saved_and_a_broken_one_is_told_and_left() {
 #[test]
 fn the_posed_figure_stands_on_the_ground_and_its_feet_follow_as_the_hips_are_moved() {
     let mut hand = at(Section::Figure);
-    hand.state_mut().walk_mut().terrain.choice.kind = GroundKind::Slope;
+    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Slope.into();
     let before = pose(&hand);
     click(&mut hand, "Stand on the ground");
     let stood = pose(&hand);
@@ -242,6 +245,38 @@ fn the_posed_figure_stands_on_the_ground_and_its_feet_follow_as_the_hips_are_mov
     assert_eq!(pose(&hand), before, "to the very bits");
 }
 
+/// How far each point of the posed figure's soles is above the ground, metres.
+fn over_ground(hand: &Hand) -> [[f64; Sole::COUNT]; 2] {
+    let (editor, ground) = (hand.state().editor(), hand.state().walk().ground());
+    let frames = &editor.evaluation().frames;
+    let soles = Soles::of(editor.figure()).unwrap();
+    soles.feet.map(|sole| sole.points(frames).map(|p| p.y - ground.height(p.x, p.z)))
+}
+
+#[test]
+fn hips_that_the_pointer_drags_over_the_ground_leave_the_soles_on_it() {
+    let mut hand = at(Section::Figure);
+    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Slope.into();
+    click(&mut hand, "Stand on the ground");
+    let stood = pose(&hand);
+    look_at(&mut hand, Bone::Hips, 2.5);
+    let hips = skin_of(&mut hand, Bone::Hips);
+    let over = [(4.0, 6.0), (16.0, 30.0), (30.0, 70.0)].map(|(x, y)| hips + vec2(x, y));
+    drag(&mut hand, hips, &over);
+    let dragged = pose(&hand);
+    let moved = dragged.hips - stood.hips;
+    assert!(moved.y < -0.03 && moved.x.hypot(moved.z) > 0.01, "the hips went with the pointer: {moved}");
+    assert!(dragged.angles(Bone::LeftLowerLeg).flexion > stood.angles(Bone::LeftLowerLeg).flexion + 10.0);
+    for sole in over_ground(&hand) {
+        // Heels come up where ankles don't bend so far.
+        assert!(sole.iter().all(|off| (-0.01..0.06).contains(off)), "{sole:?}");
+        assert!(sole[Sole::BALL] < 0.01, "{sole:?}");
+    }
+    assert_eq!(steps(&hand), 2, "a drag is one step");
+    undo(&mut hand);
+    assert_eq!(pose(&hand), stood, "to the very bits");
+}
+
 #[test]
 fn keys_of_the_walk_mean_nothing_while_the_window_poses() {
     let mut hand = at(LEFT_ARM);
@@ -258,11 +293,11 @@ fn keys_of_the_walk_mean_nothing_while_the_window_poses() {
 #[test]
 fn every_control_has_a_name_on_every_ground() {
     let mut hand = walking(30.0);
-    for kind in GroundKind::ALL {
-        hand.state_mut().walk_mut().terrain.choice.kind = kind;
+    for source in GroundSource::all() {
+        hand.state_mut().walk_mut().terrain.choice.source = source;
         frames(&mut hand, 2);
         let bare = crate::program::unnamed(&hand);
-        assert!(bare.is_empty(), "{kind:?}: {bare:?}");
+        assert!(bare.is_empty(), "{source:?}: {bare:?}");
     }
 }
 
@@ -270,7 +305,7 @@ fn every_control_has_a_name_on_every_ground() {
 fn a_child_walks_the_same_ground_and_its_pose_is_fitted_to_the_figure() {
     let mut hand = walking(30.0);
     hand.state_mut().walk_mut().let_walk(Some("child")).unwrap();
-    hand.state_mut().walk_mut().terrain.choice.kind = GroundKind::Hills;
+    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
     hand.state_mut().walk_mut().steer.alone = true;
     frames(&mut hand, 90);
     assert!(place(&hand).z > 0.5);

@@ -30,9 +30,17 @@ pub struct HillsShape {
     pub cell_m: f64,
 }
 
+impl HillsShape {
+    /// The steepest facet's slope by default, degrees.
+    pub const STEEPEST_DEG: f64 = 25.0;
+    /// From hill to hill by default, metres.
+    pub const WAVELENGTH_M: f64 = 5.0;
+}
+
 impl Default for HillsShape {
     fn default() -> HillsShape {
-        HillsShape { seed: 1, rise: Rise::Steepest(25.0), wavelength_m: 5.0, cell_m: 0.25 }
+        let rise = Rise::Steepest(HillsShape::STEEPEST_DEG);
+        HillsShape { seed: 1, rise, wavelength_m: HillsShape::WAVELENGTH_M, cell_m: 0.25 }
     }
 }
 
@@ -134,7 +142,7 @@ fn sound(shape: &HillsShape) -> HillsShape {
         seed: shape.seed,
         rise: match shape.rise {
             Rise::Amplitude(metres) => Rise::Amplitude(held(metres, 0.5, 0.0, 100.0)),
-            Rise::Steepest(degrees) => Rise::Steepest(held(degrees, 25.0, 0.0, 60.0)),
+            Rise::Steepest(degrees) => Rise::Steepest(held(degrees, HillsShape::STEEPEST_DEG, 0.0, 60.0)),
         },
         wavelength_m: held(shape.wavelength_m, normal.wavelength_m, 2.0 * cell_m, half),
         cell_m,

@@ -14,11 +14,20 @@ pub struct Stairs {
 
 impl Default for Stairs {
     fn default() -> Stairs {
-        Stairs::new(0.15, 0.37, 8, 3.0)
+        Stairs::new(Stairs::RISE_M, Stairs::GOING_M, Stairs::RISERS, Stairs::LANDING_M)
     }
 }
 
 impl Stairs {
+    /// The height of a riser by default, metres.
+    pub const RISE_M: f64 = 0.15;
+    /// The depth of a tread by default, metres.
+    pub const GOING_M: f64 = 0.37;
+    /// How many risers a flight has by default.
+    pub const RISERS: u32 = 8;
+    /// The length of a landing by default, metres.
+    pub const LANDING_M: f64 = 3.0;
+
     /// Stairs of so many risers a flight (1 to 1000) of a height (within 0 and 0.5 m), treads of a depth and landings
     /// of a length (both within 0.1 and 100 m). Numbers that are none count as the least.
     pub fn new(rise_m: f64, going_m: f64, risers: u32, landing_m: f64) -> Stairs {
