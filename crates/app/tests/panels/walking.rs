@@ -315,7 +315,7 @@ fn a_child_walks_the_same_ground_and_its_pose_is_fitted_to_the_figure() {
     act(&mut hand, Action::TakePose);
     hand.run();
     let editor = hand.state().editor();
-    let hips = editor.evaluation().frames[rig::Bone::Hips].position;
+    let hips = editor.evaluation().frames[Bone::Hips].position;
     let ground = hand.state().walk().ground().under(hips.x, hips.z).height;
     assert!(
         (0.75..1.1).contains(&(hips.y - ground)),

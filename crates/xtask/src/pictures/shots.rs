@@ -129,7 +129,7 @@ pub const TABLE: &[Picture] = &[
     Picture {
         name: "walk-beside.png",
         columns: 2,
-        tiles: &[beside!("--walked 6.1 --walk-on hills"), beside!("--walked 2.5 --walk-on stairs")],
+        tiles: &[beside!("--walked 7.7 --walk-on hills"), beside!("--walked 2.5 --walk-on stairs")],
     },
     Picture {
         name: "light.png",
