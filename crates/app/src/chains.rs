@@ -207,7 +207,7 @@ impl ChainSession {
     }
 
     /// Tells of a failure in the status line.
-    pub fn tell(&mut self, result: Result<(), Failure>) {
+    fn tell(&mut self, result: Result<(), Failure>) {
         if let Err(error) = result {
             self.status = Status { message: error.to_string(), fault: true, clamped: false };
         }

@@ -13,6 +13,7 @@ use std::sync::mpsc::Receiver;
 
 use egui::{Context, Id, Modal};
 
+use crate::failure::Failure;
 use crate::keymap::Keymap;
 use crate::picture::Choices;
 use crate::settings::Settings;
@@ -144,6 +145,10 @@ pub struct Dialogs {
     /// What is asked for while a file is to be opened.
     opens: Paper,
     now: Option<Dialog>,
+    /// The dialog that asked for the file which is being opened or written.
+    asked: Option<Dialog>,
+    /// Why the file that was named before could not be opened or written.
+    trouble: Option<String>,
     path: String,
     /// What a picture's name gets if it has no ending.
     picture_ending: &'static str,
@@ -177,7 +182,20 @@ impl Dialogs {
         self.now = Some(dialog);
         self.fresh = true;
         self.unchosen = false;
+        self.trouble = None;
         self.listing.forget();
+    }
+
+    /// What came of the last answer. Where a file that was asked for could not be opened or written, the dialog is back with the
+    /// path as it was named, and tells why.
+    pub fn came_of(&mut self, done: &Result<(), Failure>) {
+        if self.now.is_some() {
+            return;
+        }
+        if let (Some(dialog), Err(failure)) = (self.asked.take(), done) {
+            self.ask(dialog);
+            self.trouble = Some(failure.to_string());
+        }
     }
 
     /// Asks which file to open, beginning in the folder of the present one.
@@ -251,6 +269,14 @@ impl Dialogs {
         });
         answer = answer.or_else(|| self.chosen(&dialog));
         if answer.is_some() || close || modal.should_close() {
+            self.asked = match dialog {
+                Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath | Dialog::FigurePath => {
+                    answer.is_some().then_some(dialog)
+                }
+                // Whoever says that a file may go still has in mind the path that was named.
+                Dialog::Replace(_) if answer.is_some() => self.asked.take(),
+                _ => None,
+            };
             self.now = None;
             self.chooser = None;
             self.key_table = KeyTable::default();

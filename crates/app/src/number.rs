@@ -46,6 +46,7 @@ impl<'a> Number<'a> {
             .prefix(self.prefix)
             .suffix(self.suffix)
             .update_while_editing(false)
+            .custom_parser(typed)
             .min_size(rect.size());
         // Named, not counted: a row that comes or goes above must not end a drag.
         let place = egui::UiBuilder::new().scope_id(egui::Id::unique(("number", self.name))).max_rect(rect);
@@ -57,5 +58,27 @@ impl<'a> Number<'a> {
             (true, false) => Some(Change::Set(value)),
         };
         (response, change)
+    }
+}
+
+/// The number that a text means: with a decimal comma as well, and with or without its unit.
+fn typed(text: &str) -> Option<f64> {
+    let text = text.trim().replace(',', ".").replace('\u{2212}', "-");
+    let bare = ["°", "deg", "m"].iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(&text);
+    bare.trim_end().parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_as_people_write_them() {
+        for text in ["-12.5", "-12,5", " \u{2212}12,5 ", "-12.5°", "-12.5 deg", "-12.5m"] {
+            assert_eq!(typed(text), Some(-12.5), "{text}");
+        }
+        for text in ["", "abc", "90*2", "1,2,3", "°"] {
+            assert_eq!(typed(text), None, "{text}");
+        }
     }
 }

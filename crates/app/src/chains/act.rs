@@ -121,7 +121,10 @@ impl ChainSession {
     fn file(&mut self, action: Action) {
         match action {
             Action::Open => self.intend(Intent::Open(None)),
-            Action::Save => self.save_or_ask(None),
+            Action::Save => {
+                let saved = self.save_or_ask(None);
+                self.tell(saved);
+            }
             Action::SaveAs => self.ask_where(None),
             Action::SavePicture => self.dialogs.save_picture(self.named().as_deref(), &self.settings.picture),
             Action::Settings => self.dialogs.ask(Dialog::Settings),

@@ -102,6 +102,13 @@ impl ChainSession {
         self.elsewhere.take()
     }
 
+    /// Tells why a file could not be opened: in the dialog that asked for it, and in the status line.
+    pub fn tell_failure(&mut self, failure: Failure) {
+        let done = Err(failure);
+        self.dialogs.came_of(&done);
+        self.tell(done);
+    }
+
     /// Does what is wanted, or asks first if the chain isn't saved.
     pub(super) fn intend(&mut self, intent: Intent) {
         if self.is_modified() {
@@ -121,11 +128,17 @@ impl ChainSession {
     }
 
     /// Saves to the file if there is one that can hold it, or asks where; then goes on with what was wanted.
-    pub(super) fn save_or_ask(&mut self, then: Option<Intent>) {
+    ///
+    /// # Errors
+    /// The file can't be written.
+    pub(super) fn save_or_ask(&mut self, then: Option<Intent>) -> Result<(), Failure> {
         let own = self.path.clone().filter(|path| Kind::of(path) == Ok(Kind::Chain) && !is_shipped(path));
         match own {
             Some(path) => self.save_then(&path, then),
-            None => self.ask_where(then),
+            None => {
+                self.ask_where(then);
+                Ok(())
+            }
         }
     }
 
@@ -142,27 +155,25 @@ impl ChainSession {
         }
     }
 
-    fn save_then(&mut self, path: &Path, then: Option<Intent>) {
-        match self.save(path) {
-            Ok(()) => {
-                if let Some(intent) = then {
-                    self.proceed(intent);
-                }
-            }
-            Err(error) => self.tell(Err(error)),
+    fn save_then(&mut self, path: &Path, then: Option<Intent>) -> Result<(), Failure> {
+        self.save(path)?;
+        if let Some(intent) = then {
+            self.proceed(intent);
         }
+        Ok(())
     }
 
     /// Begins to write what the view shows, without marks, as was chosen in the dialog.
-    fn save_picture(&mut self, ctx: &Context, path: &Path) {
+    fn save_picture(&mut self, ctx: &Context, path: &Path) -> Result<(), Failure> {
         let seen = Seen {
             subject: Subject::of_chain(self.editor.document()),
             camera: self.picture.camera,
             finish: self.settings.finish,
             file: self.path.as_deref(),
         };
-        let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture);
-        self.told(begun);
+        let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture)?;
+        self.say(begun);
+        Ok(())
     }
 
     fn told(&mut self, words: Result<String, Failure>) {
@@ -191,8 +202,17 @@ impl ChainSession {
         }
     }
 
-    /// Does what a dialog came to.
+    /// Does what a dialog came to; a file that is at fault is asked for again.
     pub(super) fn answered(&mut self, ui: &Ui, answer: Answer) {
+        let done = self.carry_out(ui, answer);
+        // Of a file to be opened the window that opens it tells what came of it.
+        if self.elsewhere.is_none() {
+            self.dialogs.came_of(&done);
+        }
+        self.tell(done);
+    }
+
+    fn carry_out(&mut self, ui: &Ui, answer: Answer) -> Result<(), Failure> {
         match answer {
             Answer::Open(path) => self.proceed(Intent::Open(Some(path))),
             Answer::Write(writing)
@@ -202,16 +222,17 @@ impl ChainSession {
                 ui.ctx().request_repaint();
             }
             Answer::Write(Writing::Pose(path, then)) | Answer::Replace(Writing::Pose(path, then)) => {
-                self.save_then(&path, then);
+                return self.save_then(&path, then);
             }
-            Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
+            Answer::SaveFirst(intent) => return self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),
             Answer::Write(Writing::Picture(path)) | Answer::Replace(Writing::Picture(path)) => {
-                self.save_picture(ui.ctx(), &path);
+                return self.save_picture(ui.ctx(), &path);
             }
             // A window on a chain asks for no figures, and keeps nothing for a next start.
             Answer::Write(_) | Answer::Replace(_) | Answer::Recover(_) => {}
         }
+        Ok(())
     }
 }
 

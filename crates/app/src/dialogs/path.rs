@@ -31,6 +31,12 @@ impl Dialogs {
             response.request_focus();
             select_name(ui, response.id, &self.path, self.paper);
         }
+        if response.changed() {
+            self.trouble = None;
+        }
+        if let Some(trouble) = &self.trouble {
+            ui.label(RichText::new(trouble).color(ui.visuals().error_fg_color));
+        }
         let mut entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if self.unchosen {
             ui.label(
@@ -108,7 +114,9 @@ impl Dialogs {
         self.chooser = None;
         self.unchosen = chosen.is_none();
         self.fresh = self.unchosen;
-        chosen.map(|path| self.answer_of(dialog, path))
+        let path = chosen?;
+        self.path = path.display().to_string();
+        Some(self.answer_of(dialog, path))
     }
 
     fn answer_of(&self, dialog: &Dialog, path: PathBuf) -> Answer {

@@ -36,7 +36,10 @@ impl Session {
         match action {
             Action::New => self.intend(Intent::New),
             Action::Open => self.intend(Intent::Open(None)),
-            Action::Save => self.save_or_ask(None),
+            Action::Save => {
+                let saved = self.save_or_ask(None);
+                self.tell(saved);
+            }
             Action::SaveAs => self.dialogs.save(self.path.as_deref(), None),
             Action::SavePicture => self.dialogs.save_picture(self.path.as_deref(), &self.settings.picture),
             Action::Settings => self.dialogs.ask(Dialog::Settings),

@@ -52,12 +52,13 @@ impl Session {
     }
 
     /// Writes a figure file that makes the body of the figure.
-    pub(super) fn save_figure(&mut self, path: &Path) {
-        let saved = disk::write_atomic(path, self.figure_text(path).as_bytes());
-        if saved.is_ok() {
-            self.status = Status { message: format!("Saved {}", path.display()), ..Status::default() };
-        }
-        self.tell(saved);
+    ///
+    /// # Errors
+    /// The file can't be written.
+    pub(super) fn save_figure(&mut self, path: &Path) -> Result<(), Failure> {
+        disk::write_atomic(path, self.figure_text(path).as_bytes())?;
+        self.status = Status { message: format!("Saved {}", path.display()), ..Status::default() };
+        Ok(())
     }
 
     fn figure_text(&self, path: &Path) -> String {

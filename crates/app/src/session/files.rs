@@ -7,9 +7,10 @@ use egui::Ui;
 
 use super::{Session, Status};
 use crate::dialogs::{Answer, Dialog, Intent, Writing};
+use crate::disk;
 use crate::failure::Failure;
+use crate::load::{self, Kind};
 use crate::viewport::backdrop::Backdrop;
-use crate::{disk, load};
 
 impl Session {
     /// Opens a pose file, now; what it doesn't name is at rest.
@@ -26,8 +27,11 @@ impl Session {
     /// Saves the pose to a file.
     ///
     /// # Errors
-    /// The file can't be written.
+    /// The file can't be written, or isn't called like a pose.
     pub fn save(&mut self, path: &Path) -> Result<(), Failure> {
+        if Kind::of(path) != Ok(Kind::Pose) {
+            return Err(Failure::Input(format!("{}: a pose is saved as .pose.ron", path.display())));
+        }
         self.submit(Request::Commit);
         disk::write_atomic(path, rig::write_pose(self.editor.figure(), self.editor.pose()).as_bytes())?;
         self.settle(path, "Saved");
@@ -52,10 +56,10 @@ impl Session {
 
     /// Opens a dropped or named file, after asking about unsaved changes.
     pub fn open_asking(&mut self, path: PathBuf) {
-        if self.walks_on(&path) {
-            return;
+        match self.walks_on(&path) {
+            Some(opened) => self.tell(opened),
+            None => self.intend(Intent::Open(Some(path))),
         }
-        self.intend(Intent::Open(Some(path)));
     }
 
     /// Ends the session, after asking about unsaved changes.
@@ -68,9 +72,11 @@ impl Session {
         self.elsewhere.take()
     }
 
-    /// Tells in the status line why something failed.
+    /// Tells why a file could not be opened: in the dialog that asked for it, and in the status line.
     pub fn tell_failure(&mut self, failure: Failure) {
-        self.tell(Err(failure));
+        let done = Err(failure);
+        self.dialogs.came_of(&done);
+        self.tell(done);
     }
 
     /// Does what is wanted, or asks first if the pose isn't saved.
@@ -78,11 +84,12 @@ impl Session {
         if self.is_modified() {
             self.dialogs.ask(Dialog::Unsaved(intent));
         } else {
-            self.proceed(intent);
+            let done = self.proceed(intent);
+            self.tell(done);
         }
     }
 
-    fn proceed(&mut self, intent: Intent) {
+    fn proceed(&mut self, intent: Intent) -> Result<(), Failure> {
         match intent {
             Intent::Quit => self.quit = true,
             Intent::New => self.begin_anew(),
@@ -90,30 +97,26 @@ impl Session {
             Intent::Open(Some(path)) if load::shows_chain(&path).unwrap_or(false) => {
                 self.elsewhere = Some(path);
             }
-            Intent::Open(Some(path)) => {
-                let opened = self.open(&path);
-                self.tell(opened);
-            }
+            Intent::Open(Some(path)) => return self.open(&path),
         }
+        Ok(())
     }
 
     /// Saves to the file if there is one, or asks where; then goes on with what was wanted.
-    pub(super) fn save_or_ask(&mut self, then: Option<Intent>) {
-        match self.path.clone() {
-            Some(path) => self.save_then(&path, then),
-            None => self.dialogs.save(None, then),
-        }
+    ///
+    /// # Errors
+    /// The file can't be written.
+    pub(super) fn save_or_ask(&mut self, then: Option<Intent>) -> Result<(), Failure> {
+        let Some(path) = self.path.clone() else {
+            self.dialogs.save(None, then);
+            return Ok(());
+        };
+        self.save_then(&path, then)
     }
 
-    fn save_then(&mut self, path: &Path, then: Option<Intent>) {
-        match self.save(path) {
-            Ok(()) => {
-                if let Some(intent) = then {
-                    self.proceed(intent);
-                }
-            }
-            Err(error) => self.tell(Err(error)),
-        }
+    fn save_then(&mut self, path: &Path, then: Option<Intent>) -> Result<(), Failure> {
+        self.save(path)?;
+        then.map_or(Ok(()), |intent| self.proceed(intent))
     }
 
     pub(super) fn take_dropped(&mut self, ui: &Ui) {
@@ -134,14 +137,26 @@ impl Session {
         !own && writing.path().exists()
     }
 
-    /// Does what a dialog came to.
+    /// Does what a dialog came to; a file that is at fault is asked for again.
     pub(super) fn answered(&mut self, ui: &Ui, answer: Answer) {
+        let done = self.carry_out(ui, answer);
+        // Of another kind of file the window that opens it tells what came of it.
+        if self.elsewhere.is_none() {
+            self.dialogs.came_of(&done);
+        }
+        self.tell(done);
+    }
+
+    fn carry_out(&mut self, ui: &Ui, answer: Answer) -> Result<(), Failure> {
         match answer {
-            Answer::Open(path) if self.walks_on(&path) => {}
-            Answer::Open(path) => self.proceed(Intent::Open(Some(path))),
+            Answer::Open(path) => match self.walks_on(&path) {
+                Some(opened) => opened,
+                None => self.proceed(Intent::Open(Some(path))),
+            },
             Answer::Write(writing) if self.would_replace(&writing) => {
                 self.dialogs.ask(Dialog::Replace(writing));
                 ui.ctx().request_repaint();
+                Ok(())
             }
             Answer::Write(writing) | Answer::Replace(writing) => match writing {
                 Writing::Pose(path, then) => self.save_then(&path, then),
@@ -150,7 +165,10 @@ impl Session {
             },
             Answer::SaveFirst(intent) => self.save_or_ask(Some(intent)),
             Answer::Discard(intent) => self.proceed(intent),
-            Answer::Recover(wanted) => self.recover(wanted),
+            Answer::Recover(wanted) => {
+                self.recover(wanted);
+                Ok(())
+            }
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::saving::{Saving, Seen};
 
 impl Session {
     /// Begins to write what the view shows, without marks, as was chosen in the dialog.
-    pub(super) fn save_picture(&mut self, ctx: &Context, path: &Path) {
+    pub(super) fn save_picture(&mut self, ctx: &Context, path: &Path) -> Result<(), Failure> {
         let (subject, camera) = match self.walk.subject().filter(|_| self.is_walking()) {
             Some(subject) => (subject, self.walk.picture.camera),
             None => {
@@ -21,8 +21,9 @@ impl Session {
             }
         };
         let seen = Seen { subject, camera, finish: self.settings.finish, file: self.path.as_deref() };
-        let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture);
-        self.told(begun);
+        let begun = Saving::begin(&mut self.saving, ctx, path, seen, &self.settings.picture)?;
+        self.say(begun);
+        Ok(())
     }
 
     fn told(&mut self, words: Result<String, Failure>) {

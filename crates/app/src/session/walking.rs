@@ -10,6 +10,7 @@ use rig::{Pose, View};
 use super::{PANEL_LEAST, PICTURE_LEAST, Session};
 use crate::action::Action;
 use crate::dialogs::Paper;
+use crate::failure::Failure;
 use crate::theme;
 use crate::walk::{self, Asked, Walk};
 
@@ -41,7 +42,7 @@ impl Session {
             true => self.walk.leave(),
             false => {
                 self.walk.enter(self.editor.figure());
-                let fault = self.walk.fault().map(|fault| crate::failure::Failure::Input(fault.to_owned()));
+                let fault = self.walk.fault().map(|fault| Failure::Input(fault.to_owned()));
                 self.tell(fault.map_or(Ok(()), Err));
             }
         }
@@ -221,11 +222,11 @@ impl Session {
         at.is_some_and(|at| self.walk.picture.rect().contains(at)) || ui.memory(|m| m.focused().is_none())
     }
 
-    /// Takes on a file of ground or a blend tree; whether it is one of those, by its name.
-    pub(super) fn walks_on(&mut self, path: &Path) -> bool {
+    /// Takes on a file of ground or a blend tree; nothing if it is none of those, by its name.
+    pub(super) fn walks_on(&mut self, path: &Path) -> Option<Result<(), Failure>> {
         let (ground, tree) = (walk::is_ground(path), walk::is_tree(path));
         if !ground && !tree {
-            return false;
+            return None;
         }
         if !self.walk.is_open() {
             self.toggle_walk();
@@ -234,7 +235,6 @@ impl Session {
         if opened.is_ok() {
             self.say(format!("Opened {}", path.display()));
         }
-        self.tell(opened);
-        true
+        Some(opened)
     }
 }

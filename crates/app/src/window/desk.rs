@@ -153,7 +153,7 @@ impl Desk {
             Err(failure) => {
                 match self {
                     Desk::Figure(session) => session.tell_failure(failure),
-                    Desk::Chain(session) => session.tell(Err(failure)),
+                    Desk::Chain(session) => session.tell_failure(failure),
                 }
                 true
             }

@@ -48,6 +48,53 @@ fn a_file_that_is_no_pose_changes_nothing_and_is_named() {
     assert_eq!(pose(&hand), before);
 }
 
+/// Names a file in the dialog that is up and presses Enter.
+fn enter(hand: &mut crate::hand::Hand, path: &std::path::Path) {
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    hand.event(egui::Event::Text(path.display().to_string()));
+    hand.run();
+    hand.key_press(Key::Enter);
+    hand.run();
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_asked_for_again_with_the_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = at(LEFT_ARM);
+    set(&mut hand, ELBOW, 42.0);
+    hand.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    hand.run();
+    for (name, why) in [("nowhere/a.pose.ron", "no such file or folder"), ("a.txt", "is saved as .pose.ron")]
+    {
+        enter(&mut hand, &folder.path().join(name));
+        assert!(hand.state().is_modified() && !folder.path().join(name).exists());
+        // In the dialog and in the status line.
+        assert_eq!(hand.get_all_by_label_contains(why).count(), 2, "{name}");
+    }
+    // The dialog has the keyboard still: what is typed is a path and no shortcut.
+    enter(&mut hand, &folder.path().join("a.pose.ron"));
+    assert_eq!(hand.state().title(), "a.pose.ron – Posewright");
+    assert!(hand.query_by_label("File path").is_none());
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_is_asked_for_again_with_its_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    let [good, cut] = ["good", "cut"].map(|name| folder.path().join(format!("{name}.pose.ron")));
+    std::fs::write(&good, "(version: 1, joints: {})").unwrap();
+    std::fs::write(&cut, "(version: 1, joi").unwrap();
+    let mut hand = at(LEFT_ARM);
+    let before = pose(&hand);
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    hand.run();
+    enter(&mut hand, &cut);
+    assert_eq!(hand.get_all_by_label_contains("cut.pose.ron:1:").count(), 2);
+    assert_eq!(pose(&hand), before);
+    enter(&mut hand, &good);
+    assert_eq!(hand.state().title(), "good.pose.ron – Posewright");
+    assert!(hand.query_by_label("File path").is_none());
+}
+
 #[test]
 fn another_file_is_replaced_only_after_asking() {
     let folder = tempfile::tempdir().unwrap();
