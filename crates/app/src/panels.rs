@@ -210,7 +210,7 @@ impl Panels {
         }
         let mut sheet = Sheet { editor, panels: self, requests: Vec::new() };
         sheet.overview(ui);
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ScrollArea::vertical().id_salt("pose").auto_shrink(false).show(ui, |ui| {
             for section in Section::ALL {
                 sheet.section(ui, section);
             }

@@ -240,10 +240,29 @@ impl Walk {
     /// stands where it has come to.
     pub fn pose(&self, figure: &Figure, document: &Pose) -> Option<Pose> {
         let stage = self.stage.as_ref()?;
-        let now = stage.actor().now();
-        let own = rig::carried_over(stage.figure(), &now.pose, figure);
-        let place = if self.terrain.is_flat() { document.place } else { now.pose.place };
-        Some(Pose { place, ..if self.cast.is_own() { now.pose.clone() } else { own } })
+        Some(self.taken(figure, document, &stage.actor().now().pose, stage))
+    }
+
+    /// The same as it is over level ground, before its feet are placed.
+    pub(crate) fn flat_pose(&self, figure: &Figure, document: &Pose) -> Option<Pose> {
+        let stage = self.stage.as_ref()?;
+        let (pose, flat) = (&stage.actor().now().pose, stage.actor().walker().flat());
+        Some(self.taken(
+            figure,
+            document,
+            &Pose { hips: flat.hips, angles: flat.angles, ..pose.clone() },
+            stage,
+        ))
+    }
+
+    /// A walker's pose as one of the document's figure.
+    fn taken(&self, figure: &Figure, document: &Pose, pose: &Pose, stage: &Stage) -> Pose {
+        let place = if self.terrain.is_flat() { document.place } else { pose.place };
+        let own = match self.cast.is_own() {
+            true => pose.clone(),
+            false => rig::carried_over(stage.figure(), pose, figure),
+        };
+        Pose { place, ..own }
     }
 
     /// What a picture of the walker shows, on its ground.

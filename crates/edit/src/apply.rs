@@ -71,6 +71,11 @@ pub(crate) fn apply(
     }
     let told = match (joints_turned(commands), commands.last()) {
         (Some(count), _) => format!("Turned {count} joints"),
+        // What was asked for is not what became of it.
+        (None, Some(Command::Turn { joint, dof, .. })) if clamped => {
+            let degrees = document.pose.angles[joint.index()].get(*dof);
+            format!("Turned {} {} to {degrees:.1}°", words(joint.name()), dof.name())
+        }
         (None, last) => last.map_or_else(String::new, Command::told),
     };
     let mut applied = Applied::new(figure, document, clamped, &goals, told);

@@ -117,4 +117,6 @@ fn ranges_are_undone_like_anything_else() {
     let outcome = ask(&mut editor, Request::Do(turn(-30.0))).unwrap();
     assert!(outcome.clamped);
     assert_eq!(editor.pose().angles(Bone::LeftLowerArm).flexion, 0.0);
+    // It tells where the joint is, not where it was to go.
+    assert_eq!(outcome.message, "Turned left lower arm flexion to 0.0°");
 }

@@ -84,7 +84,8 @@ impl Entry {
         message.replacen(&self.path, self.file_name(), 1)
     }
 
-    /// Whether every word of a search is somewhere in the title or a tag, in whatever case.
+    /// Whether every word of a search is somewhere in the title or a tag, in whatever case; a last e may have gone, as that of
+    /// "wave" in "Waving".
     pub fn matches(&self, search: &str) -> bool {
         if search.trim().is_empty() {
             return true;
@@ -94,6 +95,7 @@ impl Entry {
         search
             .to_lowercase()
             .split_whitespace()
+            .map(|word| word.strip_suffix('e').filter(|stem| stem.len() > 2).unwrap_or(word))
             .all(|word| title.contains(word) || tags.iter().any(|tag| tag.contains(word)))
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use edit::{Request, Step};
 use egui::{Context, Ui};
 use motion::Footing;
-use rig::{Pose, View};
+use rig::{Contact, Limb, Pose, View};
 
 use super::{PANEL_LEAST, PICTURE_LEAST, Session};
 use crate::action::Action;
@@ -73,7 +73,12 @@ impl Session {
 
     /// The walker's present pose becomes the document's, and the window shows it.
     fn take_pose(&mut self) {
-        let Some(pose) = self.walk.pose(self.editor.figure(), self.editor.pose()) else { return };
+        let (figure, document) = (self.editor.figure(), self.editor.pose());
+        let Some(pose) = self.walk.pose(figure, document) else { return };
+        // Whoever moves it or stands it on the ground again begins with what it is over level ground.
+        if let Some(flat) = self.walk.flat_pose(figure, document).filter(|_| self.walk.is_placed()) {
+            self.walk.standings.learn(flat, pose.clone());
+        }
         let before = self.editor.evaluation().frames[rig::Bone::Hips].position;
         self.submit(Request::PreviewPose { pose: Box::new(pose), name: TAKE });
         self.submit(Request::Commit);
@@ -160,12 +165,15 @@ impl Session {
     pub(super) fn stand_on_ground(&mut self) {
         self.submit(Request::Commit);
         self.walk.terrain.follow();
-        match self.stood(&self.editor.pose().clone()) {
+        let before = self.editor.pose().clone();
+        let held = [Limb::LeftLeg, Limb::RightLeg].iter().any(|leg| before.limb(*leg).contact != Contact::Free);
+        match self.stood(&before) {
             Some(pose) => {
                 self.submit(Request::PreviewPose { pose: Box::new(pose), name: STAND });
                 self.submit(Request::Commit);
                 self.walk.ground_in_pose = true;
-                self.say("Stands on the ground".to_owned());
+                let also = if held { "; the feet let go and now go along with the hips" } else { "" };
+                self.say(format!("Stands on the ground{also}"));
             }
             None => self.say("Stand on the ground: the figure has no legs to stand on".to_owned()),
         }

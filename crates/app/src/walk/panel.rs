@@ -36,7 +36,7 @@ pub enum Asked {
 /// Shows the panel; what can't be done here is asked for.
 pub fn show(ui: &mut Ui, walk: &mut Walk, keymap: &Keymap) -> Vec<Asked> {
     let mut asked = Vec::new();
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+    ScrollArea::vertical().id_salt("walk").auto_shrink(false).show(ui, |ui| {
         heading(ui, "Figure", "");
         inset(ui, |ui| cast(ui, walk, &mut asked));
         heading(ui, "Steer", "");

@@ -42,6 +42,16 @@ impl Standings {
         found
     }
 
+    /// Remembers what a pose that stands was over level ground.
+    pub fn learn(&mut self, flat: Pose, stood: Pose) {
+        if self.of(&stood).is_none_or(|known| known.stood != stood) {
+            self.0.push_back(Standing { flat, stood });
+            if self.0.len() > MOST {
+                self.0.pop_front();
+            }
+        }
+    }
+
     /// Brings the feet of a pose to the ground. Contacts of legs are let go, for they hold on to where feet were.
     pub fn stand(&mut self, footing: &Footing, ground: &Ground, pose: &Pose) -> Pose {
         let flat = self.flat(pose);
@@ -49,12 +59,7 @@ impl Standings {
         for leg in [Limb::LeftLeg, Limb::RightLeg] {
             stood.limbs[leg.index()].contact = Contact::Free;
         }
-        if self.of(&stood).is_none_or(|known| known.stood != stood) {
-            self.0.push_back(Standing { flat, stood: stood.clone() });
-            if self.0.len() > MOST {
-                self.0.pop_front();
-            }
-        }
+        self.learn(flat, stood.clone());
         stood
     }
 }

@@ -278,6 +278,24 @@ fn hips_that_the_pointer_drags_over_the_ground_leave_the_soles_on_it() {
 }
 
 #[test]
+fn a_pose_that_was_taken_on_the_hills_stands_there_when_it_is_stood_on_the_ground() {
+    let mut hand = walking(30.0);
+    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
+    hand.state_mut().walk_mut().steer.alone = true;
+    frames(&mut hand, 290);
+    act(&mut hand, Action::TakePose);
+    hand.run();
+    let lowest = |hand: &Hand| over_ground(hand).into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let (taken, off) = (pose(&hand), lowest(&hand));
+    let [hips, ground] = [taken.hips.y, hand.state().walk().ground().height(place(&hand).x, place(&hand).z)];
+    assert!(off.abs() < 0.02 && (hips - ground - 0.9).abs() < 0.15 && ground.abs() > 0.1, "{off} {ground}");
+    act(&mut hand, Action::StandOnGround);
+    hand.run();
+    assert!(lowest(&hand).abs() < 0.02, "{} m above the ground", lowest(&hand));
+    assert!((pose(&hand).hips.y - taken.hips.y).abs() < 0.03, "{} {}", pose(&hand).hips.y, taken.hips.y);
+}
+
+#[test]
 fn keys_of_the_walk_mean_nothing_while_the_window_poses() {
     let mut hand = at(LEFT_ARM);
     let before = pose(&hand);
