@@ -196,3 +196,18 @@ fn standing_poses_stand() {
     }
     assert_none(&faults);
 }
+
+#[test]
+fn who_stands_can_crouch_and_only_heels_come_up() {
+    let figure = load::figure(None).unwrap();
+    for down in [0.05, 0.15, 0.25, 0.35] {
+        let mut editor = Editor::in_pose(figure.clone(), load::standing(&figure));
+        let crouch = edit::Command::MoveHips { by: glam::DVec3::new(0.0, -down, 0.0) };
+        editor.submit(edit::Request::Do(crouch), &mut edit::NoFiles).unwrap();
+        let soles = motion::Soles::of(&figure).unwrap();
+        for sole in soles.feet {
+            let heights = sole.points(&editor.evaluation().frames).map(|p| p.y);
+            assert!(heights[motion::Sole::BALL].abs() < 0.01, "{down} m: {heights:?}");
+        }
+    }
+}

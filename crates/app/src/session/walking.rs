@@ -166,7 +166,8 @@ impl Session {
         self.submit(Request::Commit);
         self.walk.terrain.follow();
         let before = self.editor.pose().clone();
-        let held = [Limb::LeftLeg, Limb::RightLeg].iter().any(|leg| before.limb(*leg).contact != Contact::Free);
+        let held =
+            [Limb::LeftLeg, Limb::RightLeg].iter().any(|leg| before.limb(*leg).contact != Contact::Free);
         match self.stood(&before) {
             Some(pose) => {
                 self.submit(Request::PreviewPose { pose: Box::new(pose), name: STAND });

@@ -367,6 +367,8 @@ fn saving_goes_on_beside_the_window_and_can_be_stopped() {
     ask_for_picture(&mut hand, &folder.path().join("second.webp"));
     click(&mut hand, "Save the picture now");
     assert!(hand.state().status().fault && hand.state().status().message.contains("still being saved"));
+    // The dialog is back for whoever wants to wait.
+    click(&mut hand, "Cancel");
     click(&mut hand, "Stop saving");
     saved(&mut hand);
     assert!(hand.state().status().message.contains("stopped"), "{:?}", hand.state().status());
