@@ -179,6 +179,10 @@ impl Dialogs {
 
     /// Puts a dialog up in place of the one before.
     pub fn ask(&mut self, dialog: Dialog) {
+        // Whoever says that a file may go still has in mind the path that was named.
+        if !matches!(dialog, Dialog::Replace(_)) {
+            self.asked = None;
+        }
         self.now = Some(dialog);
         self.fresh = true;
         self.unchosen = false;
@@ -269,14 +273,9 @@ impl Dialogs {
         });
         answer = answer.or_else(|| self.chosen(&dialog));
         if answer.is_some() || close || modal.should_close() {
-            self.asked = match dialog {
-                Dialog::OpenPath | Dialog::SavePath(_) | Dialog::PicturePath | Dialog::FigurePath => {
-                    answer.is_some().then_some(dialog)
-                }
-                // Whoever says that a file may go still has in mind the path that was named.
-                Dialog::Replace(_) if answer.is_some() => self.asked.take(),
-                _ => None,
-            };
+            if answer.is_none() {
+                self.asked = None;
+            }
             self.now = None;
             self.chooser = None;
             self.key_table = KeyTable::default();

@@ -74,7 +74,7 @@ pub(crate) fn apply(
         // What was asked for is not what became of it.
         (None, Some(Command::Turn { joint, dof, .. })) if clamped => {
             let degrees = document.pose.angles[joint.index()].get(*dof);
-            format!("Turned {} {} to {degrees:.1}°", words(joint.name()), dof.name())
+            Command::Turn { joint: *joint, dof: *dof, degrees, by: By::To }.told()
         }
         (None, last) => last.map_or_else(String::new, Command::told),
     };

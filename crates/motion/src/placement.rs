@@ -169,7 +169,6 @@ impl Placement<'_> {
             .map(|side| world_from_figure.then(footing.legs.sides[side].foot_held_by(hips, &turns[side])));
         let sound = near(level.position) && flat.iter().all(|f| near(f.position) && f.rotation.is_finite());
         let dt_secs = if dt_secs.is_finite() && state.begun { dt_secs.clamp(0.0, 0.25) } else { 0.0 };
-        let footed = Footed { frames: flat, drop: 0.0, lies: [true; 2] };
         let footed = if settings.on && sound {
             let at_once = !state.begun || dt_secs == 0.0;
             let going = Going::on(state.place, &level, dt_secs, at_once);
@@ -177,7 +176,7 @@ impl Placement<'_> {
             let motion = Motion { world_from_figure, hips, flat, turns, going, dt_secs, at_once };
             self.bend(&motion, sample, state)
         } else {
-            footed
+            Footed { frames: flat, drop: 0.0, lies: [true; 2] }
         };
         [0, 1].map(|side| {
             let bearing = sample.bearing[side];

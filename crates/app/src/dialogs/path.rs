@@ -99,9 +99,9 @@ impl Dialogs {
         }
     }
 
-    fn answer(&self, dialog: &Dialog) -> Option<Answer> {
-        let words = self.path.trim();
-        (!words.is_empty()).then(|| self.answer_of(dialog, from_home(words)))
+    fn answer(&mut self, dialog: &Dialog) -> Option<Answer> {
+        let path = Some(self.path.trim()).filter(|words| !words.is_empty()).map(from_home)?;
+        Some(self.answer_of(dialog, path))
     }
 
     /// What the desktop's chooser came to, if it is done.
@@ -119,7 +119,8 @@ impl Dialogs {
         Some(self.answer_of(dialog, path))
     }
 
-    fn answer_of(&self, dialog: &Dialog, path: PathBuf) -> Answer {
+    fn answer_of(&mut self, dialog: &Dialog, path: PathBuf) -> Answer {
+        self.asked = Some(dialog.clone());
         match dialog {
             Dialog::SavePath(then) => {
                 Answer::Write(Writing::Pose(with_suffix(path, self.paper.suffix()), then.clone()))

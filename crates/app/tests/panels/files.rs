@@ -1,9 +1,25 @@
 //! Opening, saving, closing, and what is asked on the way.
 
+use std::path::Path;
+
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use crate::hand::{ELBOW, LEFT_ARM, at, click, pose, set};
+use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, pose, set};
+
+/// Names a file in the dialog that is up.
+pub fn name_file(hand: &mut Hand, path: &Path) {
+    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    hand.event(egui::Event::Text(path.display().to_string()));
+    hand.run();
+}
+
+/// The same, and presses Enter.
+fn enter(hand: &mut Hand, path: &Path) {
+    name_file(hand, path);
+    hand.key_press(Key::Enter);
+    hand.run();
+}
 
 #[test]
 fn a_pose_is_saved_and_opened_by_path_and_changes_are_asked_about() {
@@ -14,11 +30,7 @@ fn a_pose_is_saved_and_opened_by_path_and_changes_are_asked_about() {
     assert!(hand.state().title().starts_with("• Unnamed pose"));
     hand.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     hand.run();
-    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    hand.event(egui::Event::Text(path.display().to_string()));
-    hand.run();
-    hand.key_press(Key::Enter);
-    hand.run();
+    enter(&mut hand, &path);
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(text.contains("leftLowerArm") && text.contains("42"), "{text}");
     assert_eq!(hand.state().title(), "bent.pose.ron – Posewright");
@@ -46,15 +58,6 @@ fn a_file_that_is_no_pose_changes_nothing_and_is_named() {
     let status = hand.state().status();
     assert!(status.fault && status.message.contains("bad.pose.ron:1:"), "{status:?}");
     assert_eq!(pose(&hand), before);
-}
-
-/// Names a file in the dialog that is up and presses Enter.
-fn enter(hand: &mut crate::hand::Hand, path: &std::path::Path) {
-    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    hand.event(egui::Event::Text(path.display().to_string()));
-    hand.run();
-    hand.key_press(Key::Enter);
-    hand.run();
 }
 
 #[test]
@@ -105,9 +108,7 @@ fn another_file_is_replaced_only_after_asking() {
     for (answer, replaced) in [("Cancel", false), ("Replace", true)] {
         hand.key_press_modifiers(Modifiers::COMMAND, Key::S);
         hand.run();
-        hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
-        hand.event(egui::Event::Text(path.display().to_string()));
-        hand.run();
+        name_file(&mut hand, &path);
         click(&mut hand, "Save the pose now");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "former");
         click(&mut hand, answer);
@@ -124,9 +125,7 @@ fn a_picture_takes_no_other_file_s_place_without_asking() {
     let mut hand = at(LEFT_ARM);
     hand.key_press(Key::F12);
     hand.run();
-    hand.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    hand.event(egui::Event::Text(path.display().to_string()));
-    hand.run();
+    name_file(&mut hand, &path);
     click(&mut hand, "Save the picture now");
     hand.get_by_label_contains("there.pose.ron?");
     click(&mut hand, "Cancel");

@@ -10,6 +10,7 @@ use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use rig::{Bone, Dof, Limb};
 
+use crate::files::name_file;
 use crate::hand::{ELBOW, Hand, LEFT_ARM, at, click, drag, pose, set, set_number, shown, steps};
 
 /// A window of that size that keeps its settings in a folder.
@@ -316,9 +317,7 @@ fn saved(hand: &mut Hand) {
 /// Opens the dialog for pictures with that path.
 fn ask_for_picture(hand: &mut Hand, path: &Path) {
     press(hand, Modifiers::NONE, Key::F12);
-    press(hand, Modifiers::COMMAND, Key::A);
-    hand.event(Event::Text(path.display().to_string()));
-    hand.run();
+    name_file(hand, path);
 }
 
 #[test]

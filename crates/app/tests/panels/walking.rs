@@ -32,6 +32,15 @@ fn walking(rate: f32) -> Hand {
     hand
 }
 
+/// A figure that walks by itself over the hills.
+fn on_hills() -> Hand {
+    let mut hand = walking(30.0);
+    let walk = hand.state_mut().walk_mut();
+    walk.terrain.choice.source = GroundKind::Hills.into();
+    walk.steer.alone = true;
+    hand
+}
+
 fn key(hand: &mut Hand, modifiers: Modifiers, key: Key, pressed: bool) {
     hand.event_modifiers(
         Event::Key { key, physical_key: None, pressed, repeat: false, modifiers },
@@ -152,9 +161,7 @@ fn the_pose_is_taken_as_one_step_and_undo_brings_the_former_back() {
 
 #[test]
 fn side_by_side_shows_two_pictures_and_marks_are_switched() {
-    let mut hand = walking(30.0);
-    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
-    hand.state_mut().walk_mut().steer.alone = true;
+    let mut hand = on_hills();
     frames(&mut hand, 2);
     click_now(&mut hand, "Side by side");
     for mark in app::Mark::ALL {
@@ -279,9 +286,7 @@ fn hips_that_the_pointer_drags_over_the_ground_leave_the_soles_on_it() {
 
 #[test]
 fn a_pose_that_was_taken_on_the_hills_stands_there_when_it_is_stood_on_the_ground() {
-    let mut hand = walking(30.0);
-    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
-    hand.state_mut().walk_mut().steer.alone = true;
+    let mut hand = on_hills();
     frames(&mut hand, 290);
     act(&mut hand, Action::TakePose);
     hand.run();
@@ -321,10 +326,8 @@ fn every_control_has_a_name_on_every_ground() {
 
 #[test]
 fn a_child_walks_the_same_ground_and_its_pose_is_fitted_to_the_figure() {
-    let mut hand = walking(30.0);
+    let mut hand = on_hills();
     hand.state_mut().walk_mut().let_walk(Some("child")).unwrap();
-    hand.state_mut().walk_mut().terrain.choice.source = GroundKind::Hills.into();
-    hand.state_mut().walk_mut().steer.alone = true;
     frames(&mut hand, 90);
     assert!(place(&hand).z > 0.5);
     let hips = hand.state().walk().hips().unwrap();

@@ -56,14 +56,14 @@ impl Stroll {
                 time: (step + 1) as f64 / f64::from(self.rate),
                 pose: walker.pose().clone(),
                 weights: walker.weights().map(|(name, weight)| (name.to_owned(), weight)).collect(),
-                feet: feet.clone(),
+                feet,
             });
         });
         let flat = self.survey(&Ground::Flat, &mut |_, _, _| {});
         Strolled { moments, summary: survey.summary(Some(&flat)) }
     }
 
-    fn survey(&self, ground: &Ground, each: &mut dyn FnMut(&Walker, &[FootView; 2], usize)) -> Survey {
+    fn survey(&self, ground: &Ground, each: &mut dyn FnMut(&Walker, [FootView; 2], usize)) -> Survey {
         let mut walker = Walker::new(self.figure.clone(), self.tree.clone());
         walker.feet_on_ground = self.places_feet;
         let mut survey = Survey::new();
@@ -71,7 +71,7 @@ impl Stroll {
             walker.step(ground, &self.steering, 1.0 / f64::from(self.rate));
             let feet = walker.feet(ground);
             survey.add(&self.figure, walker.pose(), &feet);
-            each(&walker, &feet, step);
+            each(&walker, feet, step);
         }
         survey
     }
